@@ -53,6 +53,9 @@ class SectionSearch {
     put(touching_.traces(), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
+    for (const SectionTrace& trace : crossing_.traces()) {
+      if (is_point(trace)) add_lonely({trace.places.front().at, trace.places.front().point}, found);
+    }
     for (const SectionTouch& contact : contacts_) {
       if (!crossing_.are_near(contact.point, 4.0 * smallest)) add_lonely(contact, found);
     }
@@ -70,9 +73,11 @@ class SectionSearch {
     return length;
   }
 
+  bool is_point(const SectionTrace& trace) const { return !(length_of(trace) > tolerance_); }
+
   void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
     for (const SectionTrace& trace : traces) {
-      if (!(length_of(trace) > tolerance_)) continue;
+      if (is_point(trace)) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
     }
@@ -122,13 +127,13 @@ class SectionSearch {
     }
   }
 
-  /// A place where the patches touch, if no curve ends there.
+  /// A place that is all that the patches have in common there, if no curve goes by.
   void add_lonely(const SectionTouch& touch, Sections& found) const {
     const auto is_here = [&](const SectionPlace& place) {
       return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
     };
     const bool is_on_curve = std::ranges::any_of(crossing_.traces(), [&](const SectionTrace& trace) {
-      return std::ranges::any_of(trace.places, is_here);
+      return !is_point(trace) && std::ranges::any_of(trace.places, is_here);
     });
     if (is_on_curve || touching_.is_near(touch.point, 4.0 * tolerance_)) return;
     const glm::dvec3 out = space_.leave(touch.point);

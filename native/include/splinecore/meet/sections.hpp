@@ -45,10 +45,12 @@ struct Sections {
 /// they touch. A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts that
 /// are one the borders that are borders of one of the patches.
 ///
-/// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals differ, so that
-/// they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988); from a place in each such pair
-/// Newton's method follows the line. Where they touch the second derivatives of their distance tell along which way that
-/// stays, and whether all of a pair of parts lies beside a curve that is known. S18.
+/// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart, or their normals differ (Sinha,
+/// Klassen, Wang 1985; Sederberg and Meyers 1988) and one of the four parameters goes one way along what they have in
+/// common, so that each of its values has one place at most. What known curves leave of its range is looked at until hulls
+/// are apart there or Newton's method finds a place, from which a curve is followed, so that nothing is left. Where they touch the
+/// second derivatives of their distance tell along which way that stays, and whether all of a pair of parts lies beside a
+/// curve that is known. Curves also end where they come to others. S18.
 /// @param tolerance  none: 2^-20 of the size of both
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches nearly touch.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
