@@ -22,6 +22,7 @@ constexpr double kGentle = 0.25;
 /// Parts of this part of the tolerance are points.
 constexpr double kSmall = 0.5;
 constexpr std::size_t kMostPairs = std::size_t{1} << 22;
+constexpr std::size_t kMostStretches = std::size_t{1} << 19;
 
 std::vector<CurvePart> parts_of(const CurvePieces& curve) {
   std::vector<CurvePart> parts;
@@ -57,12 +58,14 @@ class PairSearch {
   /// Counts a pair of parts. @returns whether they are near enough to meet
   bool are_near(const CurvePart& a, const CurvePart& b) {
     breathe(16 * (a.net.rows + b.net.rows));
-    if (++pairs_ > kMostPairs) {
-      throw InvalidShape("more than " + std::to_string(kMostPairs) +
-                         " pairs of parts are within the tolerance: "
-                         "they are one along too much of them, or it is too small");
-    }
+    if (++pairs_ > kMostPairs) refuse(kMostPairs);
     return !are_apart(a, b, tolerance_);
+  }
+
+  [[noreturn]] static void refuse(std::size_t count) {
+    throw InvalidShape("more than " + std::to_string(count) +
+                       " pairs of parts are within the tolerance: "
+                       "they are one along too much of them, or it is too small");
   }
 
   /// Whether a part runs through infinity, or has no points but where weights are zero.
@@ -186,6 +189,7 @@ class PairSearch {
 
   void add(const CurvePart& a, const Interval& in_a, const CurvePart& b, const Interval& in_b, int way,
            bool is_trivial) {
+    if (found_.stretches.size() == kMostStretches) refuse(kMostStretches);
     found_.stretches.push_back({a.piece, in_a, b.piece, in_b, way, is_trivial});
   }
 
