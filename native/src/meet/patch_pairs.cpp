@@ -15,6 +15,7 @@ namespace {
 constexpr double kNarrowAtInfinity = 0x1p-10;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
+constexpr std::size_t kMostCrossing = std::size_t{1} << 18;
 
 class PatchPairSearch {
  public:
@@ -38,6 +39,7 @@ class PatchPairSearch {
     if (++pairs_ > kMostPairs) refuse();
     if (is_lost(a) || is_lost(b) || are_apart(a, b, slack_)) return;
     if (const auto crossing = crossing_part(a, b)) {
+      if (found_.crossing.size() == kMostCrossing) refuse();
       return found_.crossing.push_back({a.piece, a.range, b.piece, b.range, crossing->signs, crossing->lead});
     }
     if (a.is_boxed && b.is_boxed && is_known_(a, b)) return;
