@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -20,6 +18,7 @@
 #include "network_borders.hpp"
 #include "network_curves.hpp"
 #include "paced_family.hpp"
+#include "span_places.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
@@ -223,15 +222,7 @@ std::vector<double> span_places(const NurbsCurve& curve, const NurbsCurve& line,
   add(curve.knot_vector().knots());
   add(line.knot_vector().knots());
   add(crossings);
-  std::ranges::sort(ends);
-  std::vector<double> places{ends.front()};
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double length = ends[i + 1] - ends[i];
-    if (!(length > 0.0)) continue;
-    for (int k = 1; k < kInSpan; ++k) places.push_back(ends[i] + length * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
-    places.push_back(ends[i + 1]);
-  }
-  return places;
+  return places_of_spans(std::move(ends), kInSpan);
 }
 
 /// Distances of curve i of a family from a line of the patch; 0 where a point of either lies at infinity.

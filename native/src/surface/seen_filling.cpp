@@ -1,13 +1,12 @@
 #include "seen_filling.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 
 #include "base/length.hpp"
 #include "measure/seam_angle.hpp"
+#include "span_places.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/measure/seam.hpp"
 
@@ -23,15 +22,7 @@ std::vector<double> gap_places(const NurbsCurve& border, const HoleSide& side, c
     const double at = (knot - part.from) / (part.to - part.from);
     if (at > 0.0 && at < 1.0) ends.push_back(at);
   }
-  std::ranges::sort(ends);
-  std::vector<double> places{ends.front()};
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double length = ends[i + 1] - ends[i];
-    if (!(length > 0.0)) continue;
-    for (int k = 1; k < kInSpan; ++k) places.push_back(ends[i] + length * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
-    places.push_back(ends[i + 1]);
-  }
-  return places;
+  return places_of_spans(std::move(ends), kInSpan);
 }
 
 /// How far a border is from its side at places of it.
