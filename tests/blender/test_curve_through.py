@@ -81,6 +81,7 @@ def test_it_goes_through_the_objects_in_the_order_of_their_names_and_follows_the
 def test_it_follows_in_a_space_of_its_own_through_save_and_open(tmp_path):
     empties()
     ob = run()
+    assert op(bpy.ops.splinewright.set_moving, how='WITH_INPUTS') == {'FINISHED'}
     ob.location, ob.scale = (1, 2, 3), (2, 2, 2)
     name = ob.name
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "through.blend"))

@@ -50,6 +50,11 @@ def follow_object(ob, **settings):
     return bpy.context.object
 
 
+def stay_on_inputs(ob):
+    activate(ob)
+    assert bpy.ops.splinewright.set_moving('EXEC_DEFAULT', True, how='WITH_INPUTS') == {'FINISHED'}
+
+
 def pool(ob):
     return store.read(ob.data).pool
 
@@ -70,6 +75,7 @@ def test_a_follower_lies_on_what_it_follows(make):
 def test_both_transforms_count():
     source = native_curve()
     ob = follow_object(source)
+    stay_on_inputs(ob)
     before = pool(ob).copy()
     ob.location, ob.rotation_euler, ob.scale = (1, 2, 3), (0.1, 0.2, 0.3), (-1, 2, 0.5)
     bpy.context.view_layer.update()
@@ -314,6 +320,7 @@ def test_a_deleted_follower_costs_no_search_of_the_file_and_follows_again_when_i
 def test_a_follower_that_lost_its_object_takes_another_in_its_place(get):
     source = native_curve()
     ob = follow_object(source)
+    stay_on_inputs(ob)
     data = ob.data
     data.use_fake_user = True
     bpy.data.objects.remove(ob)

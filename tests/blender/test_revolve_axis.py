@@ -10,8 +10,8 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 from test_surfaces import add_recipe
 
-axis_overlay, follow, recipes, shape = (part(name) for name in (
-    'ui.axis_overlay', 'bridge.follow', 'bridge.recipes', 'bridge.shape'))
+axis_overlay, follow, placing, recipes, shape = (part(name) for name in (
+    'ui.axis_overlay', 'bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.shape'))
 PROFILE = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(1, 0, 0), (2, 0, 1), (1, 0, 2)], [1, 0.5, 1])
 PLACES = (Matrix.Translation((3, 0.5, -1)), Matrix.Rotation(0.6, 4, 'X') @ Matrix.Translation((0, 4, 0)),
           Matrix.Translation((9, 8, 7)) @ Matrix.Rotation(2, 4, (1, 2, 3)) @ Matrix.Scale(2.5, 4))
@@ -67,6 +67,7 @@ def test_the_profile_and_the_surface_may_stand_anywhere():
     axis = empty(matrix=PLACES[1])
     ob = revolved(axis, place=PLACES[2])
     require_about(ob, axis)
+    placing.stop(ob.data)
     ob.matrix_world = PLACES[0]
     require_about(ob, axis)
     bpy.data.objects["shape"].location.x += 1

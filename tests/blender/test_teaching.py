@@ -7,8 +7,8 @@ import pytest
 from shapes import activate, require_exact
 from support import curve_points, part, splinecore as sc
 
-follow, recipes, shape, teaching, formulas = (part(name) for name in (
-    'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.teaching', 'core.formulas'))
+follow, placing, recipes, shape, teaching, formulas = (part(name) for name in (
+    'bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.shape', 'core.teaching', 'core.formulas'))
 
 LINE = np.array([(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 2, 0), (4, 0, 0), (5, 1, 0)], dtype=float)
 KNOTS = {
@@ -230,6 +230,7 @@ def test_a_curve_flattened_by_its_scale_has_graphs_and_a_flat_owner_is_told():
     source.scale.z = 1.0
     ob = derive('construction', source)
     value = ob.data.splinewright.value
+    placing.stop(ob.data)
     ob.scale.z = 0.0
     bpy.context.view_layer.update()
     assert "scale of 0" in follow.problem(ob.data) and ob.data.splinewright.value == value

@@ -7,7 +7,7 @@ import pytest
 from shapes import KINDS, VALUES, add, by_hand, enter, first_point, leave, move, op, require_exact, select, world_points
 from support import part, vertices
 
-shape = part('bridge.shape')
+recipes, shape = part('bridge.recipes'), part('bridge.shape')
 
 
 TURNED = dict(location=(1, -2, 3), rotation_euler=(0.3, -0.8, 1.1), scale=(2, 0.5, 1.5))
@@ -135,3 +135,66 @@ def test_nets_of_parented_scaled_and_mirrored_shapes_lie_on_them(name, scale):
     move(0, 0, 1)
     ob = leave()
     require_exact(ob)
+
+
+def applied(ob, **parts):
+    """Blender's own Apply, and its own notice of it."""
+    for other in bpy.context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    bpy.context.view_layer.objects.active = ob
+    bpy.ops.object.transform_apply(**{'location': True, 'rotation': True, 'scale': True, **parts})
+    bpy.context.view_layer.update()
+
+
+@pytest.mark.parametrize('name', KINDS)
+def test_blenders_own_apply_takes_the_definition_along(name):
+    ob = add(VALUES[name]())
+    for key, setting in TURNED.items():
+        setattr(ob, key, setting)
+    bpy.context.view_layer.update()
+    before = world_points(ob)
+    applied(ob)
+    assert np.allclose(ob.matrix_world, np.eye(4), atol=1e-6)
+    assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-4)
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'teapot'))
+def test_set_origin_takes_the_definition_along(name):
+    ob = add(VALUES[name]())
+    ob.location = 5.0, 3.0, 1.0
+    bpy.context.view_layer.update()
+    before = world_points(ob)
+    select(ob)
+    bpy.ops.object.origin_set(type='ORIGIN_CURSOR')
+    bpy.context.view_layer.update()
+    assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-5)
+    require_exact(ob)
+
+
+def test_apply_on_a_recipe_keeps_the_numbers_that_can_say_it():
+    assert op(bpy.ops.splinewright.add_circle, radius=2.0) == {'FINISHED'}
+    ob = bpy.context.object
+    ob.scale = 3.0, 3.0, 3.0
+    bpy.context.view_layer.update()
+    applied(ob)
+    assert recipes.of(ob.data).kind == 'circle' and abs(recipes.parameters(ob.data)['radius'] - 6.0) < 1e-5
+    ob.scale = 1.0, 2.0, 1.0
+    bpy.context.view_layer.update()
+    before = world_points(ob)
+    applied(ob)
+    assert not recipes.has(ob.data) and not shape.is_touched(ob.data)
+    assert np.allclose(world_points(ob), before, atol=1e-5)
+    require_exact(ob)
+
+
+def test_apply_on_an_interpolating_spline_moves_its_points():
+    assert op(bpy.ops.splinewright.add_interpolated) == {'FINISHED'}
+    ob = bpy.context.object
+    ob.location, ob.rotation_euler = (1, 2, 3), (0.1, 0.2, 0.3)
+    bpy.context.view_layer.update()
+    before, points, matrix = world_points(ob), recipes.points(ob.data), np.array(ob.matrix_world)
+    applied(ob)
+    assert np.allclose(recipes.points(ob.data), points @ matrix[:3, :3].T + matrix[:3, 3], atol=1e-5)
+    assert np.allclose(world_points(ob), before, atol=1e-5)

@@ -6,11 +6,12 @@ import graphlib
 
 import bpy
 import numpy as np
+from mathutils import Matrix
 
 from ..core import definition as definitions
 from ..core.failures import Refusal, told
 from ..core.recipes.table import FOLLOW
-from . import derived, handles, held, point_keys, problems, recipes, shape, store
+from . import derived, handles, held, placing, point_keys, problems, recipes, shape, store
 from .file_state import block_of, key, state
 
 
@@ -40,21 +41,26 @@ def _is_live(data):
 
 
 def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result=None):
-    """A new object, not linked to a scene, that a recipe makes from objects; it lies where the first one lies, or at the
-    origin where places alone count.
+    """A new object, not linked to a scene, that a recipe makes from objects; it lies in first_space(), and moves freely.
 
-    frames: as of recipes.Stored; result: of derived.result(), where that is known. Raises Refusal or an error of the library if
-    it cannot be made.
+    frames: as of recipes.Stored; result: of derived.result() in that space, where that is known. Raises Refusal or an error of
+    the library if it cannot be made.
     """
-    first = next(iter(sources), None)
-    result = result or derived.result(recipe, values, sources, first, depsgraph, frames)
+    first, space = next(iter(sources), None), first_space(sources, depsgraph)
+    result = result or derived.result(recipe, values, sources, space, frames)
     made = recipe.label if recipe.parameters else "Exact"
     data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
-    if first:
-        ob.matrix_world = first.matrix_world
+    ob.matrix_world = Matrix(space.matrix)
     _write(data, recipe, values, sources, result, frames)
+    placing.start(data, space, None, (*sources, *frames))
     return ob
+
+
+def first_space(sources, depsgraph):
+    """The placing.Space that is first given to what is made from objects: where the first one lies, without its scale, or the
+    world's."""
+    return placing.beside(next(iter(sources), None), depsgraph)
 
 
 def attach(ob, source, depsgraph):
@@ -66,13 +72,30 @@ def attach(ob, source, depsgraph):
         raise Refusal(f"{ob.name} is no Splinewright shape: it cannot follow anything")
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
-    result = derived.result(FOLLOW, {}, [source], ob, depsgraph)
+    space = placing.of_object(ob, depsgraph)
+    result = derived.result(FOLLOW, {}, [source], space)
     point_keys.tell_lost(ob.data, point_keys.count(ob.data))
     point_keys.remove(ob.data)
     shape.set_definition(ob.data, result.definition)
     held.write(ob.data, ())
     handles.write(ob.data, ())
     _write(ob.data, FOLLOW, {}, [source], result)
+    placing.start(ob.data, space, ob, [source])
+
+
+def let_move_freely(data, is_free, depsgraph):
+    """Whether a shape that is made from objects is to be moved without them, or to stay on them. Raises as set_parameters()."""
+    stored = recipes.read(data)
+    if not stored or not recipes.follows(data):
+        raise Refusal(f"{data.name} is not made from objects: it moves freely")
+    if is_free == placing.moves_freely(data):
+        return
+    if is_free:
+        owner, inputs = _in_space(data, stored, depsgraph)
+        placing.start(data, placing.of_object(owner, depsgraph), owner, inputs)
+    else:
+        placing.stop(data)
+        _make_anew(data, stored, depsgraph)
 
 
 def set_parameters(data, changes, depsgraph):
@@ -107,14 +130,34 @@ def set_inputs(data, sources, turned, depsgraph):
 
 
 def _make_anew(data, wanted, depsgraph):
-    state.owners.pop(key(data), None)
-    owner = _owner_of(data, _Turn(depsgraph))
-    if owner is None or None in (*wanted.sources, *wanted.frames):
-        raise Refusal("an object it is made from was deleted: it stays as it was last")
-    result = derived.result(wanted.recipe, wanted.values, wanted.sources, owner, depsgraph, wanted.frames, wanted.turned)
+    owner, inputs = _in_space(data, wanted, depsgraph)
+    space = placing.kept_up(data, owner, inputs, depsgraph)
+    result = derived.result(wanted.recipe, wanted.values, wanted.sources, space, wanted.frames, wanted.turned)
     shape.set_definition(data, result.definition)
+    is_free = placing.moves_freely(data)
     recipes.write_derived(data, wanted.recipe, wanted.values, wanted.sources, result, wanted.frames, wanted.turned)
+    if is_free:
+        placing.start(data, space, owner, inputs)
     problems.tell(data, problems.FOLLOWING, "")
+
+
+def take_along(data, matrix, depsgraph):
+    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: the space of
+    one that moves freely goes along. Raises as set_parameters()."""
+    stored = recipes.read(data)
+    owner, inputs = _in_space(data, stored, depsgraph)
+    if placing.moves_freely(data):
+        placing.start(data, placing.applied(data, matrix, inputs, depsgraph), owner, inputs)
+    _make_anew(data, stored, depsgraph)
+
+
+def _in_space(data, wanted, depsgraph):
+    """The object in whose space a follower lies, and the objects that it is made from. Raises Refusal where one is gone."""
+    state.owners.pop(key(data), None)
+    owner, inputs = _owner_of(data, _Turn(depsgraph)), (*wanted.sources, *wanted.frames)
+    if owner is None or None in inputs:
+        raise Refusal("an object it is made from was deleted: it stays as it was last")
+    return owner, inputs
 
 
 def _write(data, recipe, values, sources, result, frames=()):
@@ -142,7 +185,9 @@ def refresh(changed, depsgraph):
     turn = _Turn(depsgraph)
     causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object))}
     for data in _in_order():
-        if not causes.isdisjoint(_causes(data)) and _update(data, turn):
+        due = causes.intersection(_causes(data))
+        is_alone = due == {data} and data not in changed
+        if due and _update(data, turn, is_alone):
             causes.add(data)
 
 
@@ -228,8 +273,11 @@ def _owner_of(data, turn):
     return owner
 
 
-def _update(data, turn):
-    """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too."""
+def _update(data, turn, is_alone=False):
+    """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too.
+
+    is_alone: whether nothing but the place of its object is another.
+    """
     try:
         owner = _owner_of(data, turn)
         if owner is None:
@@ -241,8 +289,10 @@ def _update(data, turn):
         for source, was_shape in zip(stored.sources, stored.were_shapes):
             if was_shape and not shape.has_shape(source):
                 raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        result = derived.result(stored.recipe, stored.values, stored.sources, owner, turn.depsgraph, stored.frames,
-                                stored.turned)
+        space = placing.kept_up(data, owner, pointed, turn.depsgraph)
+        if is_alone and placing.moves_freely(data):
+            return False
+        result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
         definition = result.definition
         problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):

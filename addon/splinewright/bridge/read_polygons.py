@@ -26,6 +26,12 @@ def polygons_of(ob, matrix):
     return Polygons(points @ matrix[:3, :3].T + matrix[:3, 3], starts, corners, _has_creases(mesh))
 
 
+def not_followed(ob):
+    """What of the object polygons_of() does not read: nouns for the user."""
+    keys = ["the shape keys"] if ob.data.shape_keys else []
+    return keys + [f"the modifier {modifier.name}" for modifier in ob.modifiers if modifier.show_viewport]
+
+
 def _has_creases(mesh):
     if versions.marks_are_attributes:
         layers = [mesh.attributes[name].data for name in ('crease_edge', 'crease_vert') if name in mesh.attributes]

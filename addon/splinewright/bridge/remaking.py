@@ -1,12 +1,17 @@
 """Shapes that recipes make from numbers and points of their own."""
 
+from contextlib import suppress
+
 import numpy as np
 
 from ..core import definition as definitions
-from ..core.failures import Refusal
+from ..core.failures import FAILURES, Refusal
 from ..core.library import sc
 from . import recipes, shape, store
 from .net import free_net
+
+#: By how much of its size two shapes may differ that are one: a map that is known by points in single precision is no nearer.
+_NEAR = 1e-5
 
 
 def new_data(name, recipe, values, points, resolution, result=None, progress=shape.no_progress):
@@ -31,6 +36,22 @@ def set_parameters(data, changes):
 def set_points(data, points):
     """Give a recipe other points (n, 3). Raises, and changes nothing, where nothing comes of it."""
     _remake(data, recipes.parameters(data), np.asarray(points, dtype=np.float64))
+
+
+def take_along(data, matrix, moved):
+    """Whether the recipe of a shape can make what an affine map (4, 4) makes of it, with its points moved and its lengths
+    scaled; then it does."""
+    stored = recipes.read(data)
+    size = np.cbrt(abs(np.linalg.det(matrix[:3, :3])))
+    lengths = {each.name: stored.values[each.name] * size for each in stored.recipe.parameters if each.unit == 'LENGTH'}
+    points = stored.points @ matrix[:3, :3].T + matrix[:3, 3]
+    for values in (stored.values, {**stored.values, **lengths}):
+        with suppress(*FAILURES):
+            result = stored.recipe.make(points, **values)
+            if result.definition.is_near(moved, _NEAR):
+                _remake(data, values, points)
+                return True
+    return False
 
 
 def _remake(data, values, points):

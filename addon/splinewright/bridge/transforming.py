@@ -4,8 +4,8 @@ import numpy as np
 from mathutils import Matrix
 
 from ..core import transform
-from ..core.failures import Refusal
-from . import animation, held, point_keys, recipes, settings, shape, stamp, store
+from ..core.failures import FAILURES, Refusal
+from . import animation, follow, held, point_keys, recipes, remaking, settings, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -75,24 +75,58 @@ def _exact(matrix):
     return np.array(matrix, dtype=np.float64)
 
 
-def adopt(data):
-    """Take an affine map of the whole mesh or curve, made by others, into the definition.
+def adopt(data, depsgraph):
+    """Take an affine map of the whole mesh or curve, made by others, into the definition, and into what makes it.
 
-    Raises Refusal where the geometry is not an affine image of what the definition shows.
+    Returns what was lost by that, as a sentence, or "". Raises Refusal where the geometry is not an affine image of what the
+    definition shows.
     """
-    recipes.require_free(data)
     _require_no_keys(data)
     shape.require_writable(data)
     if not shape.is_touched(data):
         raise Refusal("it is as Splinewright wrote it: there is nothing to adopt")
+    matrix = _map_by_others(data)
+    known = store.read_stamp(data)
+    store.write_stamp(data, stamp.of(data))     # what lies there counts as written from here on
+    try:
+        if recipes.follows(data):
+            follow.take_along(data, matrix, depsgraph)
+            return ""
+        return _take_in(data, matrix)
+    except Exception:
+        store.write_stamp(data, known)
+        raise
+
+
+def take_in_applied(ob, depsgraph):
+    """adopt() for what Blender's Apply and Set Origin do; what cannot be adopted stays as it is. Returns a sentence or ""."""
+    if ob.mode != 'OBJECT' or not shape.has_shape(ob) or not shape.is_touched(ob.data):
+        return ""
+    try:
+        return adopt(ob.data, depsgraph)
+    except FAILURES:
+        return ""                       # the panel says that it was changed by hand, and what can be done
+
+
+def _map_by_others(data):
     definition = store.read(data)
     if not stamp.same_topology(store.read_stamp(data), stamp.of(data)):
         raise Refusal(f"its faces or splines were changed, too: {_CURES}")
-    before, after = shape.evaluated(data, definition).points.astype(np.float64), shape.points_of(data)
+    before, after = shape.evaluated(data, definition, recipes.around(data)).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
     if matrix is None:
         raise Refusal(f"it was not moved as a whole: {_CURES}")
-    moved = transform.transformed(definition, matrix)
+    return matrix
+
+
+def _take_in(data, matrix):
+    moved = transform.transformed(store.read(data), matrix)
     shape.evaluated(data, moved)        # raises before anything is changed
-    store.remove(data)
-    _set_definition(data, moved, matrix)
+    stored = recipes.read(data)
+    if stored and not remaking.take_along(data, matrix, moved):
+        recipes.remove(data)
+        _set_definition(data, moved, matrix)
+        return f"{data.name} has no numbers any more: as {stored.recipe.label} it cannot lie like that"
+    if not stored:
+        _set_definition(data, moved, matrix)
+    return ""

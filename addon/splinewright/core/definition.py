@@ -83,6 +83,16 @@ class Definition:
         used = [piece.indices.ravel() for piece in self.pieces if piece.kind != 'hermite']
         return self.has_curves and bool(used) and bool((self.pool[np.concatenate(used), 3] <= 0).any())
 
+    def is_near(self, other, share):
+        """Whether another one has the same pieces on points that differ by a share of its size at most."""
+        def structure(each):
+            return each.form, each.pool.shape, [(piece.layout, piece.indices.tobytes()) for piece in each.pieces]
+
+        def knots(each):
+            return [knots for piece in each.pieces for knots in piece.knots]
+        return (structure(self) == structure(other) and all(map(np.array_equal, knots(self), knots(other)))
+                and np.abs(self.pool - other.pool).max() <= share * max(other.size, np.abs(other.pool).max()))
+
     def require_consistent(self):
         """Raises Refusal or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:

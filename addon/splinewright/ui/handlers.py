@@ -3,7 +3,7 @@
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import deviation_targets, follow, keyed, recipes, versions
+from ..bridge import deviation_targets, follow, keyed, recipes, transforming, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import dragging, live
 from ..bridge.net.growing import Moment
@@ -30,6 +30,7 @@ def updated(scene, depsgraph):
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
+        _take_in_applied(changed, depsgraph)
     written = _follow_nets(changed) if state.nets else set()
     if state.nets or state.status:
         messages.refresh()
@@ -222,6 +223,14 @@ def _changed_blocks(updates):
     """The original objects and data-blocks whose geometry or transform changed."""
     return {update.id.original for update in updates
             if update.is_updated_geometry or update.is_updated_transform}
+
+
+def _take_in_applied(changed, depsgraph):
+    """What Blender's Apply and Set Origin did to shapes: they change an object's place and its mesh or curve at once."""
+    objects = (block for block in changed if isinstance(block, bpy.types.Object) and block.data in changed)
+    lost = filter(None, [transforming.take_in_applied(ob, depsgraph) for ob in objects])
+    for sentence in lost:
+        texts.pop_up(sentence)
 
 
 def _pull_all():

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import baking, derived, follow, recipes, shape, store
+from ..bridge import baking, derived, follow, placing, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
 from . import manual, net_panel, recipe_props, settings_panel, texts
@@ -73,7 +73,7 @@ def _draw_state(layout, ob):
         for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
             column.operator("splinewright.leave_result", text=text).how = how
     elif recipes.follows(data):
-        _draw_following(layout, data)
+        _draw_following(layout, ob)
     elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
@@ -101,7 +101,17 @@ def _names(sources, frames):
     return f"{count} objects" if count else " and ".join(names)
 
 
-def _draw_following(layout, data):
+def _draw_moving(layout, ob):
+    is_free = placing.moves_freely(ob.data)
+    row = layout.row(align=True)
+    for how, text, is_so in (('FREELY', "Moves Freely", is_free), ('WITH_INPUTS', "Stays on Inputs", not is_free)):
+        row.operator("splinewright.set_moving", text=text, depress=is_so).how = how
+    if placing.is_away(ob.data, ob):
+        texts.draw_note(layout, "Moved away from its inputs")
+
+
+def _draw_following(layout, ob):
+    data = ob.data
     try:
         sources, frames = recipes.read_inputs(data), recipes.frames(data)
         recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
@@ -116,6 +126,7 @@ def _draw_following(layout, data):
     else:
         for text in (text for source in sources for text in derived.not_followed(source)):
             texts.draw_note(layout, f"Not followed: {text}")
+    _draw_moving(layout, ob)
     column = layout.column(align=True)
     column.operator("splinewright.edit_source", icon='EDITMODE_HLT')
     column.operator("splinewright.make_editable")

@@ -62,7 +62,7 @@ class Recipe:
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:
                                         # make() takes their matrix (4, 4) in the space of the shape, or None, as `frame`
     first_values: Callable | None = None # (inputs) -> values of parameters that fit them, by name: what it begins with
-    is_measured: bool = False           # distances count: make() takes inputs in the world, and what it makes comes back
+    is_measured: bool = False           # distances count: make() takes inputs as long as in the world, and what it makes comes back
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one

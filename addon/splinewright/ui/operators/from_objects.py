@@ -59,15 +59,18 @@ class _FromObjects(LongWork, Repeatable):
         return {'result': self._task(context, self._arranged(context, sources))}
 
     def _task(self, context, sources):
-        return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, sources[0],
-                            context.evaluated_depsgraph_get(), self._frames(context))
+        space = follow.first_space(sources, context.evaluated_depsgraph_get())
+        return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, space, self._frames(context))
 
     def _arranged(self, context, sources):
         """The objects in the order in which the recipe takes them at first. Raises Refusal."""
         if not self.recipe.arranged:
             return sources
-        inputs = derived.inputs_of(self.recipe, sources, sources[0], context.evaluated_depsgraph_get())
+        inputs = self._inputs(context, sources)
         return [sources[i] for i in self.recipe.arranged(inputs)]
+
+    def _inputs(self, context, sources):
+        return derived.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
 
     def execute(self, context):
         sources, recipe = _sources(context, self.recipe), self.recipe
@@ -91,7 +94,8 @@ class _FromObjects(LongWork, Repeatable):
         except FAILURES as error:
             return reports.failed(self, error, sources[0].name)
         if recipe.is_beside:
-            ob.matrix_world = ob.matrix_world @ _below(sources[0], ob)
+            space = follow.first_space(sources, context.evaluated_depsgraph_get())
+            ob.matrix_world = ob.matrix_world @ _below(_corners(sources[0]) @ space.of(sources[0])[:3, :3].T, ob)
         add_in_front(context, ob, sources)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
@@ -115,7 +119,7 @@ class _FromObjects(LongWork, Repeatable):
     def _suggest(self, sources, context):
         """What cannot be read is refused where it is used."""
         with suppress(*FAILURES):
-            inputs = derived.inputs_of(self.recipe, sources, sources[0], context.evaluated_depsgraph_get())
+            inputs = self._inputs(context, sources)
             for name, value in self.recipe.first_values(inputs).items():
                 if not self.properties.is_property_set(name):
                     setattr(self, name, value)
@@ -151,9 +155,9 @@ def _beside(context):
     return others[0].name if len(others) == 1 else ""
 
 
-def _below(source, ob):
-    """What moves a new shape to where it lies under its source, in the source's x and y."""
-    around, own = _corners(source), shape.points_of(ob.data)
+def _below(around, ob):
+    """What moves a new shape to where it lies under these points (n, 3), in its own x and y."""
+    own = shape.points_of(ob.data)
     gap = 0.3 * np.ptp(own[:, 1])
     x, y = around.min(axis=0)[:2] - (own[:, 0].min(), gap + own[:, 1].max())
     return Matrix.Translation((x, y, 0.0))

@@ -5,6 +5,7 @@ from bpy.props import BoolProperty
 
 from ...bridge import point_keys, recipes, shape, transforming
 from ...core.failures import Refusal
+from . import reports
 from .selected import OnSelected
 
 
@@ -69,7 +70,10 @@ class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
     done = "Adopted the transform of {}"
 
     def work(self, context, ob):
-        transforming.adopt(ob.data)
+        return transforming.adopt(ob.data, context.evaluated_depsgraph_get())
+
+    def said(self, outcomes):
+        return reports.Said(self.summary(outcomes), warnings=tuple(filter(None, outcomes.values())))
 
 
 CLASSES = (SPLINEWRIGHT_OT_restore, SPLINEWRIGHT_OT_detach, SPLINEWRIGHT_OT_make_editable,
