@@ -98,14 +98,18 @@ def test_mirrored_patches_keep_their_normals_outside():
 
 
 @pytest.mark.parametrize('name', KINDS)
-def test_blenders_own_apply_is_noticed_and_can_be_adopted(name):
+def test_what_a_script_moved_as_a_whole_is_noticed_and_can_be_adopted(name):
     ob = add(VALUES[name]())
     for key, setting in TURNED.items():
         setattr(ob, key, setting)
-    before = world_points(ob)
-    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
-    assert shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=1e-4)
+    bpy.context.view_layer.update()
+    before, matrix = world_points(ob), ob.matrix_world.copy()
+    ob.data.transform(matrix)                   # by a script, whose object stays where it was
+    assert shape.is_touched(ob.data)
+    bpy.context.view_layer.update()
     assert op(bpy.ops.splinewright.adopt_transform) == {'FINISHED'}
+    ob.matrix_world.identity()
+    bpy.context.view_layer.update()
     assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-4)
     require_exact(ob)
 
@@ -137,12 +141,16 @@ def test_nets_of_parented_scaled_and_mirrored_shapes_lie_on_them(name, scale):
     require_exact(ob)
 
 
-def applied(ob, **parts):
-    """Blender's own Apply, and its own notice of it."""
+def only(ob):
     for other in bpy.context.selected_objects:
         other.select_set(False)
     ob.select_set(True)
     bpy.context.view_layer.objects.active = ob
+
+
+def applied(ob, **parts):
+    """Blender's own Apply, and its own notice of it."""
+    only(ob)
     bpy.ops.object.transform_apply(**{'location': True, 'rotation': True, 'scale': True, **parts})
     bpy.context.view_layer.update()
 
@@ -166,7 +174,7 @@ def test_set_origin_takes_the_definition_along(name):
     ob.location = 5.0, 3.0, 1.0
     bpy.context.view_layer.update()
     before = world_points(ob)
-    select(ob)
+    only(ob)
     bpy.ops.object.origin_set(type='ORIGIN_CURSOR')
     bpy.context.view_layer.update()
     assert not shape.is_touched(ob.data) and np.allclose(world_points(ob), before, atol=2e-5)
@@ -190,7 +198,7 @@ def test_apply_on_a_recipe_keeps_the_numbers_that_can_say_it():
 
 
 def test_apply_on_an_interpolating_spline_moves_its_points():
-    assert op(bpy.ops.splinewright.add_interpolated) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.add_interpolating) == {'FINISHED'}
     ob = bpy.context.object
     ob.location, ob.rotation_euler = (1, 2, 3), (0.1, 0.2, 0.3)
     bpy.context.view_layer.update()

@@ -36,6 +36,7 @@ class FileState:
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
+    by_hand: set = field(default_factory=set)           # data-blocks that were changed in Edit Mode
     surveys: dict = field(default_factory=dict)         # of bridge.surveys
     wholes: dict = field(default_factory=dict)          # of bridge.surveys: what shapes measure, None for what takes long
     place: tuple = (None, ())                           # of bridge.surveys: a place of a shape, and what that measures there
@@ -61,6 +62,7 @@ class FileState:
     frame_before: tuple = ()                            # the name of the scene and its frame when undo began with a net out
     shows_keys: bool = True                             # whether points go where keys put them
     lost_keys: list = field(default_factory=list)       # of bridge.point_keys: sentences for the next report
+    to_say: list = field(default_factory=list)          # sentences for a window, where no operator can report them
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting
     served: tuple = None                                # the frame, and the part of it, that it was not

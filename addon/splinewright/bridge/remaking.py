@@ -42,7 +42,7 @@ def take_along(data, matrix, moved):
     """Whether the recipe of a shape can make what an affine map (4, 4) makes of it, with its points moved and its lengths
     scaled; then it does."""
     stored = recipes.read(data)
-    size = np.cbrt(abs(np.linalg.det(matrix[:3, :3])))
+    size = moved.spread / store.read(data).spread
     lengths = {each.name: stored.values[each.name] * size for each in stored.recipe.parameters if each.unit == 'LENGTH'}
     points = stored.points @ matrix[:3, :3].T + matrix[:3, 3]
     for values in (stored.values, {**stored.values, **lengths}):

@@ -138,6 +138,7 @@ def _finish(data, picture, progress):
     progress(2)
     problems.tell(data, problems.SETTING, "")
     state.touched[key(data)] = False
+    state.by_hand.discard(key(data))
     state.shown[key(data)] = settings.values(data)
 
 

@@ -78,19 +78,26 @@ class Definition:
         return float(np.linalg.norm(np.ptp(finite, axis=0))) if len(finite) else 0.0
 
     @property
+    def spread(self):
+        """How far the points that are finite lie from their middle, in square mean; never 0."""
+        finite = self.pool[self.pool[:, 3] != 0, :3]
+        return max(float(np.sqrt(((finite - finite.mean(axis=0)) ** 2).sum(axis=1).mean())), np.finfo(float).tiny)
+
+    @property
     def runs_to_infinity(self):
         """Whether it may: curves with weights that are not all above 0."""
         used = [piece.indices.ravel() for piece in self.pieces if piece.kind != 'hermite']
         return self.has_curves and bool(used) and bool((self.pool[np.concatenate(used), 3] <= 0).any())
 
     def is_near(self, other, share):
-        """Whether another one has the same pieces on points that differ by a share of its size at most."""
+        """Whether another one has the same pieces on points and knots that differ by a share of their size at most."""
         def structure(each):
             return each.form, each.pool.shape, [(piece.layout, piece.indices.tobytes()) for piece in each.pieces]
 
         def knots(each):
             return [knots for piece in each.pieces for knots in piece.knots]
-        return (structure(self) == structure(other) and all(map(np.array_equal, knots(self), knots(other)))
+        return (structure(self) == structure(other)
+                and all(np.abs(a - b).max() <= share * np.ptp(b) for a, b in zip(knots(self), knots(other)))
                 and np.abs(self.pool - other.pool).max() <= share * max(other.size, np.abs(other.pool).max()))
 
     def require_consistent(self):

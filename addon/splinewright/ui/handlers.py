@@ -30,7 +30,7 @@ def updated(scene, depsgraph):
     if state.followers or depsgraph.id_type_updated('MESH') or depsgraph.id_type_updated('CURVE'):
         _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
-        _take_in_applied(changed, depsgraph)
+        _take_in_applied(depsgraph)
     written = _follow_nets(changed) if state.nets else set()
     if state.nets or state.status:
         messages.refresh()
@@ -225,11 +225,23 @@ def _changed_blocks(updates):
             if update.is_updated_geometry or update.is_updated_transform}
 
 
-def _take_in_applied(changed, depsgraph):
+def _take_in_applied(depsgraph):
     """What Blender's Apply and Set Origin did to shapes: they change an object's place and its mesh or curve at once."""
-    objects = (block for block in changed if isinstance(block, bpy.types.Object) and block.data in changed)
-    lost = filter(None, [transforming.take_in_applied(ob, depsgraph) for ob in objects])
-    for sentence in lost:
+    updates = [(update.id.original, update) for update in depsgraph.updates]
+    changed = {block for block, update in updates if update.is_updated_geometry}
+    state.by_hand.update(key(block) for block in changed
+                         if isinstance(block, (bpy.types.Mesh, bpy.types.Curve)) and block.is_editmode)
+    objects = [block for block, update in updates
+               if isinstance(block, bpy.types.Object) and update.is_updated_transform and block.data in changed
+               and key(block.data) not in state.by_hand]
+    state.to_say += filter(None, [transforming.take_in_applied(ob, depsgraph) for ob in objects])
+    if state.to_say:
+        timers.soon(_say)
+
+
+def _say():
+    sentences, state.to_say = state.to_say, []
+    for sentence in sentences:
         texts.pop_up(sentence)
 
 
@@ -277,6 +289,6 @@ def unregister():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
-    for function in (_first_look, _serve, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
+    for function in (_first_look, _serve, _say, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
                      editing.take_up, deviation_paint.settle, deviation_paint.redraw):
         timers.call_off(function)
