@@ -5,6 +5,7 @@ that lies elsewhere than its parent is a Part.
 Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does. A tolerance is a length.
 """
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -55,6 +56,21 @@ def changed(definition, number, verb, already="nothing changes"):
         return Changed(sewing.sewn(definition, after, parents), tuple(parents), error, lie)
     origins = tuple((places.Origin(parent, place.u),) for parent, place in zip(parents, lie))
     return Changed(_of_curves(definition, after), tuple(parents), error, origins=origins)
+
+
+def kept(definition, numbers):
+    """The Changed definition of these pieces alone, counted from 0, on their points to the last digit. Raises Refusal for none."""
+    if not numbers:
+        raise Refusal("that is all of it: delete the object")
+    pieces = [definition.pieces[i] for i in numbers]
+    used, where = np.unique(np.concatenate([piece.indices.ravel() for piece in pieces]), return_inverse=True)
+    starts = np.cumsum([0, *(piece.indices.size for piece in pieces)])
+    own = tuple(replace(piece, indices=where[start:start + piece.indices.size].reshape(piece.indices.shape).astype(np.int32))
+                for piece, start in zip(pieces, starts))
+    found = replace(definition, pool=definition.pool[used], pieces=own)
+    if not definition.has_curves:
+        return Changed(found, tuple(numbers), 0.0, (places.Place(),) * len(numbers))
+    return Changed(found, tuple(numbers), 0.0, origins=tuple((places.Origin(number),) for number in numbers))
 
 
 def _part(value):

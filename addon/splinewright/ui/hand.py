@@ -41,6 +41,15 @@ def pieces_of_points(ob):
     return [i for i, piece in enumerate(pieces) if not len(rows) or np.isin(rows, piece.indices).any()]
 
 
+def whole_pieces(ob):
+    """Numbers from 0 of the pieces of which all points of a net in Edit Mode are selected."""
+    session = live.known_session(ob.data)
+    if session is None:
+        return []
+    rows = session.net.rows[selection.selected(ob, session.net)]
+    return [i for i, piece in enumerate(session.net.definition.pieces) if np.isin(piece.indices, rows).all()]
+
+
 def of(data):
     """(piece, other piece) of a data-block, counted from 1; 0 for none."""
     count = count_of(data)

@@ -1,4 +1,4 @@
-"""Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T, I and Shift+Q on shapes and nets. The operators' polls let the keys pass for
+"""Tab, Ctrl+J, Ctrl+R, Alt+G, Alt+S, Ctrl+T, P, I and Shift+Q on shapes and nets. The operators' polls let the keys pass for
 everything else. Those on the knot strip are asked only with the mouse over it."""
 
 import bpy
@@ -15,6 +15,8 @@ _ITEMS = (
     ('Curve', "splinewright.pull_here", 'G', 'alt'),
     ('Curve', "splinewright.radius_here", 'S', 'alt'),
     ('Curve', "splinewright.tilt_here", 'T', 'ctrl'),
+    ('Mesh', "splinewright.separate_pieces", 'P', None),
+    ('Curve', "splinewright.separate_pieces", 'P', None),
     ('Mesh', "splinewright.key_points", 'I', None),
     ('Curve', "splinewright.key_points", 'I', None),
     ('Mesh', "splinewright.pie", 'Q', 'shift'),

@@ -46,6 +46,7 @@ def why_not(data):
 _REFUSING = {
     'make_editable': lambda data: not recipes.has(data), 'adopt_transform': lambda data: not shape.seems_touched(data),
     'apply_transform': why_not, 'set_knots': why_not,
+    **dict.fromkeys(('separate_pieces', 'delete_pieces', 'explode'), lambda data: why_not(data) or hand.count_of(data) < 2),
     **dict.fromkeys(('edit_net', 'to_native', 'bake_animation'), shape.seems_touched)}
 
 

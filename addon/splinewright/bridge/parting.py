@@ -1,0 +1,46 @@
+"""Pieces of a shape are deleted, or become shapes of their own."""
+
+import bpy
+
+from ..core import verbs
+from ..core.failures import Refusal
+from . import replacing
+
+
+def delete(data, numbers):
+    """Take pieces, counted from 0, out of a shape. Returns the definition before and the core.verbs.Changed.
+
+    Raises Refusal, and changes nothing, where none would be left or the definition is not to be changed.
+    """
+    before = replacing.read(data)
+    changed = verbs.kept(before, [i for i in range(len(before.pieces)) if i not in numbers])
+    replacing.put(data, before, changed)
+    return before, changed
+
+
+def separate(ob, groups):
+    """Make an object of each group of pieces, with all that lies on them, and take them out of the shape.
+
+    groups: lists of numbers counted from 0. Where they hold all pieces the first group stays in the object. Returns the new
+    objects, in the collections of the first. Raises Refusal, and changes nothing, as delete().
+    """
+    definition = replacing.read(ob.data)
+    taken = {number for group in groups for number in group}
+    rest = [i for i in range(len(definition.pieces)) if i not in taken]
+    if not rest:
+        rest, *groups = groups
+    if not groups:
+        raise Refusal("that is all of it already: there is nothing to separate it from")
+    made = [_copy_of(ob) for _ in groups]
+    for copy, group in zip([*made, ob], [*groups, rest]):
+        before = replacing.read(copy.data)
+        replacing.put(copy.data, before, verbs.kept(before, group))
+    return made
+
+
+def _copy_of(ob):
+    copy = ob.copy()
+    copy.data = ob.data.copy()
+    for collection in ob.users_collection:
+        collection.objects.link(copy)
+    return copy

@@ -1,0 +1,96 @@
+"""Delete, Separate and Explode: pieces of shapes go, or become shapes of their own, in Object Mode and while nets are edited."""
+
+import bpy
+from bpy.props import IntProperty
+
+from ...bridge import parting, shape
+from ...bridge.net import net_object
+from ...core.failures import Refusal
+from .. import editing, hand
+from . import pieces, reports
+from .selected import OnSelected
+
+
+class _OnChosen(pieces.OnPieces):
+    """Works on the piece that is given, or on all whose points are selected in a net."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+    needs = "Select a shape"
+    fits = staticmethod(shape.has_shape)
+
+    piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1", default=1, min=1, options={'SKIP_SAVE'})
+
+    def settings(self):
+        return []
+
+    def can_work(self, ob):
+        return False
+
+    def numbers(self, context, ob):
+        """Of the pieces, counted from 0. Raises Refusal."""
+        net = next((net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob), None)
+        if net is not None:
+            whole = hand.whole_pieces(net)
+            if not whole:
+                raise Refusal("select all points of a piece (L with the mouse over it)")
+            return whole
+        count = hand.count_of(ob.data)
+        if self.piece > count:
+            raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {self.piece}")
+        return [self.piece - 1]
+
+
+class SPLINEWRIGHT_OT_delete_pieces(_OnChosen, bpy.types.Operator):
+    bl_idname = "splinewright.delete_pieces"
+    bl_label = "Delete Piece"
+    bl_description = "Take a curve or patch out of the shape: the chosen one, or in a net those whose points are all selected"
+    done = "Deleted pieces of {}"
+
+    def work(self, context, ob):
+        outcome = parting.delete(ob.data, self.numbers(context, ob))
+        self._note(ob, outcome[1])
+        return outcome
+
+
+def _separated(ob, groups):
+    made = parting.separate(ob, groups)
+    for new in made:
+        new.select_set(not editing.nets())
+    return made
+
+
+def _counted(outcomes):
+    count = sum(map(len, outcomes.values()))
+    return f"{count} new object{'s' if count > 1 else ''}"
+
+
+class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
+    bl_idname = "splinewright.separate_pieces"
+    bl_label = "Separate Piece"
+    bl_description = ("Make a curve or patch a shape of its own: the chosen one, or in a net those whose points are all selected. "
+                      "Materials, attributes and modifiers go along")
+    done = "Separated {}"
+
+    def work(self, context, ob):
+        return _separated(ob, [self.numbers(context, ob)])
+
+    def said(self, outcomes):
+        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+
+
+class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
+    bl_idname = "splinewright.explode"
+    bl_label = "Explode"
+    bl_description = "Make every curve or patch of a shape a shape of its own. Materials, attributes and modifiers go along"
+    needs = "Select a shape of several pieces"
+    fits = staticmethod(lambda ob: shape.has_shape(ob) and hand.count_of(ob.data) > 1)
+    done = "Exploded {}"
+
+    def work(self, context, ob):
+        return _separated(ob, [[number] for number in range(hand.count_of(ob.data))])
+
+    def said(self, outcomes):
+        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+
+
+CLASSES = (SPLINEWRIGHT_OT_delete_pieces, SPLINEWRIGHT_OT_separate_pieces, SPLINEWRIGHT_OT_explode)
