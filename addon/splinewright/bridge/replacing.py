@@ -44,6 +44,14 @@ def do(data, number, verb, already):
     return before, changed
 
 
+def do_each(data, make_verbs, already):
+    """do() with a verb for each piece, by numbers from 0, that a function makes of the definition."""
+    before = read(data)
+    changed = verbs.each_changed(before, make_verbs(before), already)
+    put(data, before, changed)
+    return before, changed
+
+
 def read(data):
     """The definition, which is to be changed. Raises Refusal."""
     require_changeable(data)

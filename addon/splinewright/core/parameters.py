@@ -5,11 +5,17 @@ import numpy as np
 from . import decimals
 
 
+class Exact(float):
+    """A parameter that was worked out, not typed: it stands for itself."""
+
+
 def snapped(number, knots):
-    """decimals.typed(), or of the knots that are this number as float32 the one nearest to it.
+    """decimals.typed(), or of the knots that are this number as float32 the one nearest to it; an Exact one as it is.
 
     So a knot such as 1/3 can be named in a property that holds float32.
     """
+    if isinstance(number, Exact):
+        return float(number)
     number = decimals.typed(number)
     with np.errstate(over='ignore'):
         same = knots[knots.astype(np.float32) == np.float32(number)]

@@ -3,7 +3,9 @@
 What a verb is says core.verbs. An axis is 'u' or 'v'; axes are 'u', 'v' or 'uv'.
 """
 
-from . import parameters, places, verbs
+from functools import partial
+
+from . import parameters, places, shared_knots, verbs
 from .failures import Refusal
 from .library import sc
 
@@ -74,6 +76,27 @@ def along(axes, make):
             errors.append(error)
         return parts if len(parts) > 1 else verbs.Near(parts[0], _total(errors, patch, parts[0].value))
     return verb
+
+
+def with_neighbors(definition, number, axes, make):
+    """{number of a patch from 0: verb}: along() of a patch, and of all that are to be cut with it so that borders that were shared
+    are shared.
+
+    make(axis, carry, spent): the verb of core.verbs; carry takes parameters of the patch to those of the one at hand.
+    """
+    own, made = definition.pieces[number], {}
+    for axis in axes:
+        for along_one in shared_knots.together(definition, number, 'uv'.index(axis), has_cuts=True):
+            piece = definition.pieces[along_one.piece]
+            knots = shared_knots.knots_of(own, 'uv'.index(axis)), shared_knots.knots_of(piece, along_one.axis)
+            carry = partial(_carried, *knots, along_one.is_turned)
+            made.setdefault(along_one.piece, {})['uv'[along_one.axis]] = partial(make, axis, carry)
+    return {i: along(''.join(sorted(of_axes)), lambda axis, spent, of_axes=of_axes: of_axes[axis](spent))
+            for i, of_axes in made.items()}
+
+
+def _carried(old, others, is_turned, parameter):
+    return parameters.Exact(shared_knots.carried(parameters.snapped(parameter, old), old, others, is_turned))
 
 
 def _along_one(parts, axis, verb):

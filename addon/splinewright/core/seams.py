@@ -31,6 +31,18 @@ def seams_of(definition, limit):
     return [Seam(first, second, _measured(patch_set, first, second)) for first, second in pairs[:limit]], len(pairs)
 
 
+def opened(before, after, parents):
+    """Pairs of patches of a definition, counted from 0, that shared a side and share none any more. parents: of core.verbs.Changed."""
+    if before.has_curves or len(before.pieces) == 1:
+        return []
+    return sorted(_pairs(before, range(len(before.pieces))) - _pairs(after, parents))
+
+
+def _pairs(definition, numbers):
+    pairs = ((numbers[first], numbers[second]) for (first, _), (second, _) in definitions.to_patch_set(definition).seams())
+    return {(min(pair), max(pair)) for pair in pairs if pair[0] != pair[1]}
+
+
 def surveyed(definition, limit):
     """The core.continuity.Survey of a definition of patches."""
     seams, count = seams_of(definition, limit)

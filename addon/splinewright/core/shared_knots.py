@@ -16,8 +16,11 @@ class Along(NamedTuple):
     is_turned: bool = False
 
 
-def together(definition, piece, axis):
-    """The Alongs of all patches whose knots are to be those of one along an axis, that first; of curves it alone."""
+def together(definition, piece, axis, has_cuts=False):
+    """The Alongs of all patches whose knots are to be those of one along an axis, that first; of curves it alone.
+
+    has_cuts: whether they are to be cut together, as Bezier patches are, too.
+    """
     found = {(piece, axis): False}
     if definition.has_curves:
         return [Along(piece, axis)]
@@ -28,7 +31,7 @@ def together(definition, piece, axis):
         for rows, is_turned in _rows_along(definition.pieces[one[0]], one[1]):
             for other, turned in borders[rows]:
                 goes_back = found[one] ^ is_turned ^ turned
-                if other not in found and _are_same(definition.pieces, (piece, axis), other, goes_back):
+                if other not in found and _are_same(definition.pieces, (piece, axis), other, goes_back, has_cuts):
                     found[other] = goes_back
                     todo.append(other)
     return [Along(*place, is_turned) for place, is_turned in found.items()]
@@ -53,17 +56,29 @@ def _rows_along(piece, axis):
             yield min(rows, rows[::-1]), rows[::-1] < rows
 
 
-def _are_same(pieces, one, other, is_turned):
+def _are_same(pieces, one, other, is_turned, has_cuts):
     """Whether two patches have the same knots along their axes, but for where they begin and how far they reach."""
     (first, axis), (second, other_axis) = (pieces[one[0]], one[1]), (pieces[other[0]], other[1])
-    if first.kind != second.kind or first.kind == 'bezier' or first.degree and (
-            first.degree[axis] != second.degree[other_axis] or first.periodic[axis] != second.periodic[other_axis]):
+    if not has_cuts and (first.kind != second.kind or first.kind == 'bezier'):
         return False
-    old, others = first.knots[axis], second.knots[other_axis]
+    if 'hermite' in (first.kind, second.kind) and first.kind != second.kind or is_periodic(first, axis) != is_periodic(second, other_axis):
+        return False
+    old, others = knots_of(first, axis), knots_of(second, other_axis)
     if len(old) != len(others):
         return False
     mapped = carried(old, old, others, is_turned)
     return bool((np.abs((mapped[::-1] if is_turned else mapped) - others) <= _SAME * (others[-1] - others[0])).all())
+
+
+def is_periodic(piece, axis):
+    return bool(piece.periodic) and bool(piece.periodic[axis])
+
+
+def knots_of(piece, axis):
+    """The knots of a patch along an axis, parameters of a Hermite patch; of a Bezier patch those of its form as NURBS."""
+    if piece.kind != 'bezier':
+        return piece.knots[axis]
+    return np.repeat([0.0, 1.0], piece.indices.shape[axis])
 
 
 def carried(numbers, old, others, is_turned):

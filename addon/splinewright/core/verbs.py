@@ -40,11 +40,17 @@ def changed(definition, number, verb, already="nothing changes"):
     Raises Refusal or an error of the library, naming the piece where there are several, if one refuses; ValueError
     with the sentence `already` if every piece came out as it went in.
     """
+    count = len(definition.pieces)
+    require_piece(definition.pieces, number, least=0)
+    return each_changed(definition, {i: verb for i in range(count) if number in (0, i + 1)}, already)
+
+
+def each_changed(definition, verbs, already="nothing changes"):
+    """changed() with verbs by the numbers of pieces, counted from 0."""
     before = pieces_of(definition)
-    require_piece(before, number, least=0)
     parts, parents, error = [], [], 0.0
     for i, value in enumerate(before):
-        values, piece_error = _done(verb, value, i, len(before)) if number in (0, i + 1) else ([value], 0.0)
+        values, piece_error = _done(verbs[i], value, i, len(before)) if i in verbs else ([value], 0.0)
         parts += map(_part, values)
         parents += [i] * len(values)
         error = max(error, piece_error)

@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 
 from ...bridge import replacing, settings
 from ...core import parameters, patch_verbs, verbs
+from .. import hand
 from . import pieces
 from .pieces import parameter_property, times_property, tolerance_property
 
@@ -47,6 +48,31 @@ class _Along(OnPatches):
         return ['direction', *super().settings()]
 
 
+class _WithNeighbors(_Along):
+    """What it does to one patch it does to those that share borders with it, too, so that none comes open."""
+
+    neighbors: BoolProperty(name="With Neighbors", default=True,
+                            description="Do it to the patches that share a border with the piece, too, row after row: none comes open")
+
+    def verb_carried(self, axis, carry, spent):
+        """verb_along() of a neighbor; carry takes parameters along an axis of the piece to those of the neighbor."""
+        raise NotImplementedError
+
+    def settings(self):
+        return [*super().settings(), 'neighbors']
+
+    def work(self, context, ob):
+        if not self.piece or not self.neighbors or hand.count_of(ob.data) < 2:
+            return super().work(context, ob)
+        outcome = replacing.do_each(ob.data, self._verbs, self.already)
+        self._note(ob, outcome[1])
+        return outcome
+
+    def _verbs(self, definition):
+        verbs.require_piece(definition.pieces, self.piece)
+        return patch_verbs.with_neighbors(definition, self.piece - 1, self.axes, self.verb_carried)
+
+
 class AtParameters(pieces.FromActive):
     """Begins with the parameters that fit the active patch."""
 
@@ -74,7 +100,7 @@ class _WithinTolerance(pieces.WithinTolerance):
         return None if self.allowed is None else max(self.allowed - spent, 0.0)
 
 
-class SPLINEWRIGHT_OT_patch_insert_knot(AtParameters, _Along, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_insert_knot(AtParameters, _WithNeighbors, bpy.types.Operator):
     bl_idname = "splinewright.patch_insert_knot"
     bl_label = "Insert Knot"
     bl_description = "Add a knot, and with it a row of control points; the patch stays the same"
@@ -88,12 +114,16 @@ class SPLINEWRIGHT_OT_patch_insert_knot(AtParameters, _Along, bpy.types.Operator
     first_parameter = staticmethod(parameters.middle_of_widest_span)
 
     def settings(self):
-        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else []), 'times']
+        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else []), 'times',
+                'neighbors']
 
     def verb_along(self, axis, spent):
+        return self.verb_carried(axis, float, spent)
+
+    def verb_carried(self, axis, carry, spent):
         if self.where == 'SPANS':
             return verbs.insert_span_middles(self.times)
-        return verbs.insert_knot(self.parameter(axis), self.times)
+        return verbs.insert_knot(carry(self.parameter(axis)), self.times)
 
 
 class SPLINEWRIGHT_OT_patch_remove_knot(_WithinTolerance, AtParameters, _Along, bpy.types.Operator):
@@ -127,7 +157,7 @@ class SPLINEWRIGHT_OT_patch_remove_knots(_Along, bpy.types.Operator):
         return verbs.remove_knots(max(self.length - spent, 0.0))
 
 
-class SPLINEWRIGHT_OT_patch_raise_degree(_Along, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_raise_degree(_WithNeighbors, bpy.types.Operator):
     bl_idname = "splinewright.patch_raise_degree"
     bl_label = "Raise Degree"
     bl_description = "Give the patch a higher degree and more control points; it stays the same"
@@ -136,6 +166,9 @@ class SPLINEWRIGHT_OT_patch_raise_degree(_Along, bpy.types.Operator):
     times: times_property("By how much the degree is raised")
 
     def verb_along(self, axis, spent):
+        return verbs.raise_degree(self.times)
+
+    def verb_carried(self, axis, carry, spent):
         return verbs.raise_degree(self.times)
 
 
@@ -187,7 +220,7 @@ class SPLINEWRIGHT_OT_patch_fair(pieces.LongOnPieces, OnPatches, bpy.types.Opera
         return partial(patch_verbs.fair, self.length, 'tangents' if self.keep_tangents else 'points')
 
 
-class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
+class SPLINEWRIGHT_OT_patch_split(AtParameters, _WithNeighbors, bpy.types.Operator):
     bl_idname = "splinewright.patch_split"
     bl_label = "Split"
     bl_description = ("Cut patches into more pieces of the same shape, which share the points of the cut; "
@@ -199,10 +232,13 @@ class SPLINEWRIGHT_OT_patch_split(AtParameters, _Along, bpy.types.Operator):
         ('KNOTS', "At Every Knot", "At every inner knot; a periodic patch also at its seam")))
 
     def settings(self):
-        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else [])]
+        return ['direction', 'where', *(self.parameters() if self.where == 'PARAMETER' else []), 'neighbors']
 
     def verb_along(self, axis, spent):
-        return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(self.parameter(axis))
+        return self.verb_carried(axis, float, spent)
+
+    def verb_carried(self, axis, carry, spent):
+        return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(carry(self.parameter(axis)))
 
 
 class SPLINEWRIGHT_OT_patch_reverse(_Along, bpy.types.Operator):

@@ -10,7 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, St
 
 from ...bridge import held, replacing, store
 from ...bridge.net import net_object
-from ...core import decimals, verbs
+from ...core import decimals, seams, verbs
 from ...core.failures import FAILURES
 from .. import editing, hand
 from . import reports
@@ -133,7 +133,7 @@ class OnPieces(OnSelected):
         return (*warnings, f"{words} no more") if released > 0 else warnings
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
+        return reports.Said(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -172,6 +172,15 @@ class LongOnPieces(LongWork, OnPieces):
         replacing.put(ob.data, before, changed)
         self._note(ob, changed)
         return before, changed
+
+
+def _opened(outcomes):
+    """Sentences of what came open."""
+    for name, (before, changed) in outcomes.items():
+        pairs = [f"{first + 1} and {second + 1}" for first, second in seams.opened(before, changed.definition, changed.parents)]
+        if pairs:
+            said = ", ".join(pairs[:4]) + (f" and {len(pairs) - 4} more pairs" if len(pairs) > 4 else "")
+            yield f"{name} is open now between the patches {said}: with Piece 0 all are changed alike"
 
 
 def told(outcomes):
