@@ -106,6 +106,45 @@ def test_the_order_is_changed_one_is_left_out_and_taken_in_again():
     assert names(ob) == order and ob.data.splinewright.value == before
 
 
+@pytest.mark.parametrize('heights, new', (((0, 1, 3), 2), ((3, 1, 0), 2), ((0, 1, 2), 9), ((0, 1, 2), -4), ((5, 4, 1), 8)))
+def test_what_is_added_comes_where_it_belongs(heights, new):
+    rings = {z: add(line((0, 0, z), (1, 0, z), (2, 1, z)), f"at {z}") for z in (*heights, new)}
+    ob = make('loft', *(rings[z] for z in heights))
+    if names(ob) != [f"at {z}" for z in heights]:
+        assert op(bpy.ops.splinewright.reverse_inputs) == {'FINISHED'}
+    rings[new].select_set(True)
+    assert op(bpy.ops.splinewright.add_inputs) == {'FINISHED'}
+    assert names(ob) == [f"at {z}" for z in sorted((*heights, new), reverse=heights[0] > heights[-1])]
+
+
+def test_sorting_and_reversing_the_order():
+    ob = MADE['loft']()
+    order = names(ob)
+    assert op(bpy.ops.splinewright.reverse_inputs) == {'FINISHED'} and names(ob) == order[::-1]
+    assert op(bpy.ops.splinewright.move_input, index=1, way='UP') == {'FINISHED'}
+    assert op(bpy.ops.splinewright.sort_inputs) == {'FINISHED'} and names(ob) in (order, order[::-1])
+
+
+def test_an_order_of_ones_own_stays_where_one_is_added():
+    sections = part('core.sections')
+    assert sections.with_new([0, 1, 2, 3], 4) == [0, 1, 2, 3]
+    assert [n for n in sections.with_new([2, 0, 3, 1], 3) if n < 3] == [0, 1, 2]
+    for seed in range(1000):
+        random = np.random.default_rng(seed)
+        count = int(random.integers(2, 12))
+        order, old = random.permutation(count).tolist(), int(random.integers(1, count + 1))
+        found = sections.with_new(order, old)
+        assert sorted(found) == list(range(count)) and [n for n in found if n < old] in (
+            list(range(old)), [n for n in order if n < old], [n for n in order[::-1] if n < old])
+
+
+def test_open_and_closed_sections_together_are_refused_by_name():
+    circle = sc.conics.circle((0, 0, 0), 1.0)
+    both = [add(line((0, 0, 2), (1, 0, 2), (2, 1, 2)), "the open one"), add(circle, "the closed one")]
+    with pytest.raises(RuntimeError, match="the closed one is closed and the open one is open"):
+        make('loft', *both)
+
+
 def test_a_section_that_is_turned_twists_the_surface():
     ob = make('loft', *(add(line((0, 0, z), (1, 0, z), (2, 1, z)), f"{z}") for z in (0.0, 1.0, 2.0)))
     before = ob.data.splinewright.value

@@ -4,7 +4,7 @@ import numpy as np
 
 from ..core import definition as definitions
 from ..core import transform
-from ..core.failures import Refusal
+from ..core.failures import AboutInputs, Refusal
 from . import placing, read_polygons, shape, store
 from .native import read_native
 
@@ -26,7 +26,7 @@ def work(recipe, values, sources, space, frames=(), turned=()):
         more['turned'] = [*turned, *[False] * (len(sources) - len(turned))]
     if recipe.takes_spaces:
         more['spaces'] = [_into(recipe, space, source) for source in sources]
-    make = recipe.work(inputs, {**values, **more})
+    make = _naming(recipe.work(inputs, {**values, **more}), [source.name for source in sources])
     if not recipe.is_measured:
         return make
     back = np.linalg.inv(space.to_lengths())
@@ -35,6 +35,16 @@ def work(recipe, values, sources, space, frames=(), turned=()):
         made = make(cancel)
         return made._replace(value=_under(made.definition, back))
     return moved_back
+
+
+def _naming(make, names):
+    """make() that says the names of inputs that are in the way."""
+    def named(cancel):
+        try:
+            return make(cancel)
+        except AboutInputs as error:
+            raise error.named(names) from error
+    return named
 
 
 def inputs_of(recipe, sources, space):

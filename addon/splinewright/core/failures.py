@@ -18,6 +18,18 @@ class WrongKind(Refusal, TypeError):
     """Something of another kind was given than is taken."""
 
 
+class AboutInputs(Refusal):
+    """Something is not made for a reason that lies in some of its inputs: a sentence with {} for each, and their numbers from 0."""
+
+    def __init__(self, text, *numbers):
+        super().__init__(text.format(*(f"input {number + 1}" for number in numbers)))
+        self.text, self.numbers = text, numbers
+
+    def named(self, names):
+        """The Refusal with the names of the inputs."""
+        return Refusal(self.text.format(*(names[number] for number in self.numbers)))
+
+
 #: What a modeller is told of; where the library is missing, nothing of its own.
 FAILURES = (Refusal, OSError, MemoryError, *([sc.Error] if sc else []))
 

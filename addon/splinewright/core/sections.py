@@ -27,6 +27,30 @@ def ends(curve):
     return curve.evaluate(np.array(curve.domain))
 
 
+def is_closed(curve):
+    """Whether a NurbsCurve ends where it starts, to a millionth of its size."""
+    start, end = ends(curve)
+    return curve.periodic or bool(np.linalg.norm(end - start) <= _MEET * size_of([curve]))
+
+
+def with_new(order, count):
+    """Numbers below `count`, then the others of `order` each where it belongs among them, by an order of all.
+
+    Those below stay as they are: where they run as in `order`, or the other way, the new ones lie between them so; else each
+    comes behind the one that is before it in `order`.
+    """
+    ranks = {number: rank for rank, number in enumerate(order)}
+    old = list(range(count))
+    for sign in (1, -1):
+        wanted = sorted(order, key=lambda number: sign * ranks[number])
+        if [number for number in wanted if number < count] == old:
+            return wanted
+    for number in (number for number in order if number >= count):
+        before = order[ranks[number] - 1] if ranks[number] else None
+        old.insert(old.index(before) + 1 if before is not None else 0, number)
+    return old
+
+
 def in_a_row(curves):
     """The order in which curves lie one behind the other, as numbers from 0: from one of the two that are farthest apart, the
     first curve if it is one of them, always to the nearest."""

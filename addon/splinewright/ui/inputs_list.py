@@ -15,3 +15,7 @@ def draw(layout, stored):
             settings.index, settings.way = i, way
         row.operator("splinewright.remove_input", text="", icon='X').index = i
     column.operator("splinewright.add_inputs", icon='ADD')
+    if stored.recipe.arranged:
+        row = column.row(align=True)
+        row.operator("splinewright.sort_inputs", icon='SORTSIZE')
+        row.operator("splinewright.reverse_inputs", icon='UV_SYNC_SELECT')

@@ -57,6 +57,7 @@ class Recipe:
     has_turns: bool = False             # each can be turned: make() takes a list of truths as `turned`
     takes_spaces: bool = False          # make() takes the matrices (4, 4) of the inputs, where those lie, as `spaces`
     arranged: Callable | None = None    # (inputs) -> their order, as numbers from 0, in which they are taken at first
+    fixed: int = 0                      # how many of its first inputs have a part of their own, before what has an order
     own_spaces: tuple = ()              # which of them enter in their own space, counted from 0: others where they lie
     is_beside: bool = False             # what it makes is put beside its first input, not over it
     frame: str = ""                     # what an object is called that may be chosen for its place and axes alone:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from .. import decimals, holes, neighbours, rails, sections, verbs
-from ..failures import Refusal
+from ..failures import AboutInputs, Refusal
 from ..library import sc
 from .recipe import Parameter, Recipe, Result
 
@@ -49,6 +49,10 @@ def _patches_within(approximation):
 
 def _loft(inputs, style, closed, align, tolerance, simple, turned, cancel=None):
     curves = [_one_curve(definition) for definition in inputs]
+    are_closed = list(map(sections.is_closed, curves))
+    if len(set(are_closed)) > 1:
+        raise AboutInputs("{} is closed and {} is open: a loft takes one kind or the other", are_closed.index(True),
+                          are_closed.index(False))
     return _within(sc.build.loft(curves, style=style, closed=closed, align=align, turned=turned,
                                  tolerance=tolerance if simple else None, cancel=cancel))
 
@@ -148,12 +152,12 @@ FROM_CURVES = (
             Parameter("twist", "Twist", "Turn about the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
                       unit='ROTATION'), _TOLERANCE),
            _sweep, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, has_turns=True,
-           takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail),
+           takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail, fixed=1),
     Recipe("two_rails", "Sweep on Two Rails",
            "The surface of sections that run from one rail, the active curve, to a second one; it follows them",
            (Parameter("height", "Height", "Of sections where the rails come nearer or part", "scaled", choices=_HEIGHTS),
             _TOLERANCE), _two_rails, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more curves"),
-           has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first),
+           has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first, fixed=2),
     Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
            (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH', follows="radius"),

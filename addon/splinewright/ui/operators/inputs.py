@@ -4,6 +4,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import derived, follow, recipes, shape, store
+from ...core import sections
 from ...core.failures import FAILURES, Refusal
 from . import polls, reports
 from .from_objects import is_wanted
@@ -93,8 +94,8 @@ class SPLINEWRIGHT_OT_remove_input(_OnInputs, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_add_inputs(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.add_inputs"
-    bl_label = "Take In Selected"
-    bl_description = "Make the surface from the other selected objects, too, after those in the list"
+    bl_label = "Add Selected"
+    bl_description = "Make the surface from the other selected objects, too, each where it belongs along those in the list"
 
     def changed(self, context, inputs):
         known = {source for source, _ in inputs}
@@ -103,7 +104,52 @@ class SPLINEWRIGHT_OT_add_inputs(_OnInputs, bpy.types.Operator):
                if ob != context.object and ob not in known and derived.is_possible(ob) and is_wanted(ob, wanted)]
         if not new:
             raise Refusal("select others beside it that are not in the list")
-        return inputs + [(ob, False) for ob in new]
+        both = inputs + [(ob, False) for ob in new]
+        order = _arranged(context, both)
+        return [both[i] for i in sections.with_new(order, len(inputs))] if order else both
 
 
-CLASSES = (SPLINEWRIGHT_OT_move_input, SPLINEWRIGHT_OT_turn_input, SPLINEWRIGHT_OT_remove_input, SPLINEWRIGHT_OT_add_inputs)
+def _arranged(context, inputs):
+    """The order of inputs that their recipe takes at first, as numbers from 0, or none where it has none. Raises Refusal."""
+    recipe, sources = recipes.of(context.object.data), [source for source, _ in inputs]
+    if not recipe.arranged:
+        return []
+    if None in sources:
+        raise Refusal("an object it is made from was deleted: leave it out first")
+    return recipe.arranged(derived.inputs_of(recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get())))
+
+
+class _Ordering(_OnInputs):
+    """Changes the order of those that have one."""
+
+    @classmethod
+    def poll(cls, context):
+        if not super().poll(context):
+            return False
+        if not recipes.of(context.object.data).arranged:
+            cls.poll_message_set("The order of its curves does not count")
+            return False
+        return True
+
+
+class SPLINEWRIGHT_OT_sort_inputs(_Ordering, bpy.types.Operator):
+    bl_idname = "splinewright.sort_inputs"
+    bl_label = "Sort"
+    bl_description = "Take the curves in the order in which they lie one behind the other, or along the rail"
+
+    def changed(self, context, inputs):
+        return [inputs[i] for i in _arranged(context, inputs)]
+
+
+class SPLINEWRIGHT_OT_reverse_inputs(_Ordering, bpy.types.Operator):
+    bl_idname = "splinewright.reverse_inputs"
+    bl_label = "Reverse Order"
+    bl_description = "Take the curves from the last to the first; rails stay before them"
+
+    def changed(self, context, inputs):
+        fixed = recipes.of(context.object.data).fixed
+        return [*inputs[:fixed], *inputs[fixed:][::-1]]
+
+
+CLASSES = (SPLINEWRIGHT_OT_move_input, SPLINEWRIGHT_OT_turn_input, SPLINEWRIGHT_OT_remove_input, SPLINEWRIGHT_OT_add_inputs,
+           SPLINEWRIGHT_OT_sort_inputs, SPLINEWRIGHT_OT_reverse_inputs)
