@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 import pytest
 
+from layouts import drawn
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
@@ -214,3 +215,13 @@ def test_a_grid_is_one_surface_of_regular_patches_and_a_mesh_without_faces_none(
     activate(other)
     with pytest.raises(RuntimeError, match="no face"):
         op(bpy.ops.splinewright.add_of_mesh)
+
+
+def test_the_panel_of_what_is_made_of_a_mesh_says_what_it_does_not_follow():
+    bpy.ops.mesh.primitive_monkey_add()
+    mesh = bpy.context.object
+    mesh.modifiers.new("Bend", 'SIMPLE_DEFORM')
+    assert op(bpy.ops.splinewright.add_of_mesh) == {'FINISHED'}
+    said = drawn()
+    assert "Follows Suzanne" in said and "Not followed: the modifier Bend" in said
+    assert "Make Editable" in said and "Kind" in said
