@@ -287,7 +287,7 @@ def test_borders_that_do_not_close_are_refused_with_the_gap():
         op(bpy.ops.splinewright.add_filling)
 
 
-@pytest.mark.parametrize('kind', ('loft', 'sweep', 'network', 'filling'))
+@pytest.mark.parametrize('kind', ('loft', 'sweep', 'network'))
 def test_one_curve_is_too_few(kind):
     activate(add(FRAME['left'], "only"))
     assert not getattr(bpy.ops.splinewright, f"add_{kind}").poll()

@@ -225,3 +225,61 @@ def test_the_panel_of_what_is_made_of_a_mesh_says_what_it_does_not_follow():
     said = drawn()
     assert "Follows Suzanne" in said and "Not followed: the modifier Bend" in said
     assert "Make Editable" in said and "Kind" in said
+
+
+def polygon(corners, radius=1.0, start=0.0):
+    angles = start + 2 * np.pi * np.arange(corners + 1) / corners
+    return sc.build.contour(np.c_[radius * np.cos(angles), radius * np.sin(angles), 0 * angles][:-1], closed=True)
+
+
+def turned(curve, at):
+    """A closed curve that begins elsewhere."""
+    head, tail = curve.to_nurbs().split(at)
+    return sc.build.join_curves([tail, head], 1e-9)[0]
+
+
+FLAT = {
+    'circle': (sc.conics.circle((0, 0, 0), 1.0), np.pi), 'ellipse': (sc.conics.ellipse((0, 0, 0), (2, 0, 0), (0, 0.5, 0)), np.pi),
+    **{f"{n} corners": (polygon(n), 0.5 * n * np.sin(2 * np.pi / n)) for n in range(3, 9)},
+    'begins elsewhere': (turned(polygon(5), 0.37), 2.5 * np.sin(2 * np.pi / 5)),
+    'half a disc': (sc.build.join_curves([sc.conics.arc((0, 0, 0), (1, 0, 0), (0, 1, 0), 0.0, np.pi),
+                                          sc.BezierCurve([(-1, 0, 0), (1, 0, 0)])], 1e-9)[0], np.pi / 2),
+}
+
+
+@pytest.mark.parametrize('name', FLAT)
+def test_one_closed_curve_in_a_plane_is_filled_flat(name):
+    curve, area = FLAT[name]
+    ob = make('filling', add(curve))
+    value = ob.data.splinewright.value
+    patches = list(value) if hasattr(value, '__len__') else [value]
+    assert abs(sum(patch.area(tolerance=1e-9) for patch in patches) - area) < 1e-3 * area
+    points = corners_of(ob)
+    assert np.abs(points[:, 2]).max() < 1e-7
+    normals = np.concatenate([patch.evaluate_grid_with_normals(*(np.linspace(*d, 9)[1:-1] for d in patch.domain))[1].reshape(-1, 3)
+                              for patch in patches])
+    assert (normals[:, 2] > 0.9).all() or (normals[:, 2] < -0.9).all()
+    require_exact(ob)
+
+
+def test_too_many_corners_and_open_curves_are_refused():
+    with pytest.raises(RuntimeError, match="has 9 corners"):
+        make('filling', add(polygon(9)))
+    with pytest.raises(RuntimeError, match="no closed side, and is no closed curve"):
+        make('filling', add(sc.BezierCurve([(0, 0, 0), (1, 2, 0), (2, 0, 0)])))
+
+
+@pytest.mark.parametrize('continuity', ('G0', 'G1'))
+@pytest.mark.parametrize('other', (False, True))
+def test_the_open_end_of_a_tube_is_filled(continuity, other):
+    wall = sc.BezierCurve([(0.5, 0, 0), (1.5, 0, 1), (1, 0, 2)])
+    tube = sc.build.revolve(wall, (0, 0, 0), (0, 0, 1))
+    source = add(tube, "tube")
+    ob = make('filling', source, continuity=continuity, other=other)
+    points = corners_of(ob)
+    radius, height = (1.0, 2.0) if other else (0.5, 0.0)
+    rim = np.unique([key for key, count in faces_at_edges(ob.data).items() if count == 1])
+    assert np.abs(np.hypot(*points[rim][:, :2].T) - radius).max() < 2e-4 and np.abs(points[rim][:, 2] - height).max() < 2e-4
+    source.location.z = 3.0
+    bpy.context.view_layer.update()
+    assert np.abs(corners_of(ob) - points - (0, 0, 3)).max() < 1e-5

@@ -6,8 +6,11 @@ import numpy as np
 
 from . import patch_curves, sections
 from .failures import Refusal
+from .library import sc
 
 _FEWEST, _MOST = 3, 8
+#: A closed side that turns by more, in radians, has a corner there.
+_CORNER = 0.02
 
 
 class Side(NamedTuple):
@@ -46,6 +49,81 @@ def around(sides, count, tolerance):
         raise Refusal(f"no hole of three to eight sides goes round all of them within {tolerance:.2g}: their sides do not meet")
     lengths = [side.curve.length(tolerance=1e-3) for side in sides]
     return [sides[i] for i in min(found, key=lambda cycle: (len(cycle), sum(lengths[i] for i in cycle)))]
+
+
+def of_one(pieces, continuity, is_other):
+    """The Sides of a hole that one shape has: a closed curve, or the shorter of the closed sides of a patch, the longer one if
+    is_other; cut at its corners, or else in four. Raises Refusal where there is none."""
+    whole = [side for side in sides_of([pieces], continuity) if sections.is_closed(side.curve.to_nurbs())]
+    if not whole:
+        raise Refusal("it has no closed side, and is no closed curve: select more of what goes round the hole")
+    side = sorted(whole, key=lambda side: side.curve.length(tolerance=1e-6))[-1 if is_other else 0]
+    return [Side(0, curve, asked) for curve, asked in _cut(side)]
+
+
+def _cut(side):
+    """Pairs of a curve and what splinecore.build.fill takes, one for each side of a hole that one closed side goes round."""
+    is_curve = side.asked is side.curve
+    if is_curve:
+        whole = _opened(side.curve.to_nurbs())
+        return [(part, part) for part in _parts(whole, _cuts(whole))]
+    patch, name, continuity = side.asked
+    axis = 'v' if name.startswith('u') else 'u'
+    patch = patch.to_nurbs()
+    patch = patch.clamped(axis) if patch.periodic['uv'.index(axis)] else patch
+    whole = patch_curves.side_of(patch, name)[0].to_nurbs()
+    found = []
+    for at in [*_cuts(whole), None]:
+        part, *rest = patch.split(axis, at) if at is not None else [patch]
+        found.append((patch_curves.side_of(part, name)[0], (part, name, continuity)))
+        patch = rest[0] if rest else patch
+    return found
+
+
+def _opened(curve):
+    """A closed curve that begins at a corner if it has any."""
+    curve = curve.clamped() if curve.periodic else curve
+    corners = _corners_of(curve)
+    if not corners or _turn(curve, None) > _CORNER:
+        return curve
+    head, tail = curve.split(corners[0])
+    return sc.build.join_curves([tail, head], 1e-9 * sections.size_of([curve]))[0]
+
+
+def _parts(curve, cuts):
+    for at in cuts:
+        part, curve = curve.split(at)
+        yield part
+    yield curve
+
+
+def _cuts(curve):
+    """The parameters at which a closed curve is cut into three to eight sides. Raises Refusal."""
+    cuts = _corners_of(curve)
+    if len(cuts) >= _MOST:
+        raise Refusal(f"it has {len(cuts) + 1} corners: a hole has eight at most")
+    least = 3 if not cuts else 2
+    while len(cuts) < least:
+        start, end = curve.domain
+        places = [start, *cuts, end]
+        gaps = [curve.length(a, b, tolerance=1e-6) for a, b in zip(places, places[1:])]
+        widest = int(np.argmax(gaps))
+        before = curve.length(start, places[widest], tolerance=1e-6) if widest else 0.0
+        cuts = sorted([*cuts, float(curve.parameter_at_length(before + 0.5 * gaps[widest]))])
+    return cuts
+
+
+def _corners_of(curve):
+    return [float(knot) for knot in np.unique(curve.knots) if curve.domain[0] < knot < curve.domain[1]
+            and _turn(curve, knot) > _CORNER]
+
+
+def _turn(curve, at):
+    """The angle by which a curve turns at a knot, or where it is closed for None."""
+    start, end = curve.domain
+    after = curve.derivatives(start if at is None else at, 1, side='right')[1]
+    before = curve.derivatives(end if at is None else at, 1, side='left')[1]
+    return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
 
 
 def _loop_of_curves(sides, tolerance):

@@ -101,9 +101,11 @@ def _network(inputs, tolerance, cancel=None):
     return Result(found.value, found.error, f"angle {_degrees(angle)}° to surfaces beside it")
 
 
-def _filling(inputs, continuity, tolerance, cancel=None):
+def _filling(inputs, continuity, other, tolerance, cancel=None):
     shapes = [[_one_curve(definition)] if definition.has_curves else verbs.pieces_of(definition) for definition in inputs]
-    sides = holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance)
+    is_one = len(shapes) == 1 and len(shapes[0]) == 1
+    sides = (holes.of_one(shapes[0], continuity, other) if is_one
+             else holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance))
     found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
     said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
@@ -172,10 +174,12 @@ FROM_BOTH = (
            _network, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more"), has_more=True,
            is_measured=True, takes_cancel=True),
     Recipe("filling", "Fill",
-           "The surface in a hole of three to eight sides, curves and surfaces in any order, that goes on from these; it follows them",
+           "The surface in a hole: within a closed curve, in the open end of a tube, or between three to eight curves and surfaces in "
+           "any order, from which it goes on; it follows them",
            (Parameter("continuity", "Continuity", "What it shares with surfaces along their sides", "G1", choices=(
                ("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"))),
-            _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=("one curve or surface", "more"),
+            Parameter("other", "Other End", "Of a tube that is open at both ends, the other one", False),
+            _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=("one curve or surface",),
            has_more=True, is_measured=True, takes_cancel=True),
 )
 RECIPES = (*FROM_CURVES, *FROM_BOTH)
