@@ -57,16 +57,34 @@ def test_of_two_one_is_chosen():
     assert bpy.context.object == first
 
 
+def test_an_input_that_was_hidden_is_shown_to_be_edited():
+    profile = add(value_of('cubic'))
+    surface = revolved(profile)
+    activate(surface)
+    assert op(bpy.ops.splinewright.show_inputs, how='HIDE') == {'FINISHED'} and profile.hide_get()
+    assert op(bpy.ops.splinewright.show_inputs, how='SHOW') == {'FINISHED'} and not profile.hide_get()
+    profile.hide_set(True)
+    edit_source()
+    assert not profile.hide_get() and editing.nets_in_edit_mode(bpy.context)
+    leave()
+
+
+def test_inputs_are_hidden_where_that_is_wanted():
+    profile = add(value_of('cubic'))
+    op(bpy.ops.splinewright.add_revolve, hide_inputs=True)
+    assert profile.hide_get() and bpy.context.object.visible_get()
+
+
 def test_what_is_made_by_numbers_or_hidden_is_refused_in_words():
     op(bpy.ops.splinewright.add_circle)
     with pytest.raises(RuntimeError, match="made by its numbers"):
         edit_source()
     profile = add(value_of('cubic'))
     surface = revolved(profile)
-    profile.hide_set(True)
+    profile.hide_viewport = True
     with pytest.raises(RuntimeError, match="is hidden"):
         edit_source()
-    profile.hide_set(False)
+    profile.hide_viewport = False
     bpy.data.objects.remove(profile)
     activate(surface)
     with pytest.raises(RuntimeError):

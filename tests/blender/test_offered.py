@@ -19,7 +19,8 @@ texts = part('ui.texts')
 MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset', 'trim_curve',
           'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves', 'extend_curve', 'split_where_met', 'intersections',
           'add_touching_circle', 'join_curves', 'add_offset_surface', 'add_thickened', 'add_extended_surface'}
-#: Only the work itself tells whether what was changed was moved as a whole; what was just made can be made with other settings.
+#: Only the work itself tells whether what was changed was moved as a whole, or whether there is a hole to fill; what was just made
+#: can be made with other settings.
 TOLD_LATE = {('touched', 'adopt_transform'), ('revolved', 'add_revolve')}
 MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
@@ -64,6 +65,9 @@ STATES = {
     'spline': lambda: made('add_catmull_rom'), 'follower': follower, 'Bezier patch': lambda: add(patches.value_of('bicubic')),
     'NURBS patch': lambda: made('add_nurbs_patch'), 'Hermite patch': lambda: made('add_hermite_patch'),
     'cylinder': lambda: made('add_cylinder'), 'teapot': lambda: made('add_teapot'), 'revolved': revolved, 'touched': touched}
+
+
+TOLD_LATE |= {(state, 'add_filling') for state in STATES}
 
 
 def begun(state):

@@ -119,7 +119,12 @@ def _draw_following(layout, ob):
         texts.draw_problem(layout, str(error))
         layout.operator("splinewright.make_editable")
         return
-    texts.draw_note(layout, f"Follows {_names(sources, frames) or 'nothing any more'}", icon='LINKED')
+    row = layout.row()
+    texts.draw_note(row, f"Follows {_names(sources, frames) or 'nothing any more'}", icon='LINKED')
+    are_hidden = all(source is None or source.hide_get() for source in sources)
+    if sources:
+        row.operator("splinewright.show_inputs", text="", icon='HIDE_ON' if are_hidden else 'HIDE_OFF').how = (
+            'SHOW' if are_hidden else 'HIDE')
     problem = follow.problem(data)
     if problem:
         texts.draw_problem(layout, problem)

@@ -99,6 +99,8 @@ def _edit(context, ob):
     while recipes.follows(ob.data) and len(_sources(ob)) == 1 and ob not in seen:
         seen.add(ob)
         ob = _sources(ob)[0]
+    if context.view_layer.objects.get(ob.name) == ob and ob.hide_get():
+        ob.hide_set(False)
     if context.view_layer.objects.get(ob.name) != ob or not ob.visible_get():
         raise Refusal(f"{ob.name} is hidden, or not in this view layer: show it to edit it")
     if shape.has_shape(ob):

@@ -4,7 +4,7 @@ from contextlib import suppress
 
 import bpy
 import numpy as np
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 from mathutils import Matrix
 
 from ...bridge import derived, follow, recipes, shape
@@ -97,6 +97,9 @@ class _FromObjects(LongWork, Repeatable):
             space = follow.first_space(sources, context.evaluated_depsgraph_get())
             ob.matrix_world = ob.matrix_world @ _below(_corners(sources[0]) @ space.of(sources[0])[:3, :3].T, ob)
         add_in_front(context, ob, sources)
+        if recipe.is_surface and self.hide_inputs:
+            for source in sources:
+                source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
 
@@ -134,6 +137,8 @@ class _FromObjects(LongWork, Repeatable):
                 draw_number(layout, self, parameter.name)
             else:
                 layout.prop(self, parameter.name)
+        if self.recipe.is_surface:
+            layout.prop(self, "hide_inputs")
         new_shapes.draw(self, layout)
 
 
@@ -179,6 +184,9 @@ def _class_for(recipe):
     if recipe.frame:
         annotations['frame'] = StringProperty(name=recipe.frame, options={'SKIP_SAVE'}, description=(
             "Object whose place and axes count in place of the profile's own: at first what is selected beside the profile"))
+    if recipe.is_surface:
+        annotations['hide_inputs'] = BoolProperty(name="Hide Inputs", default=False, options={'SKIP_SAVE'}, description=(
+            "Hide what it is made from, as H does: Show Inputs in its panel brings that back, and the shape goes on following"))
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     faces = (new_shapes.Faces,) if recipe.is_surface else ()
     return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {
