@@ -323,6 +323,7 @@ METHODS = {
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
     "Filling": COPIES,
+    "NetworkSurface": COPIES | {"__iter__": lambda one, at: list(one)},
     "RoundedEdge": COPIES,
     "SubdivisionPatches": COPIES,
     "Nearest": COPIES,

@@ -17,6 +17,8 @@
 #include "meet/said_outside.hpp"
 #include "network_borders.hpp"
 #include "network_curves.hpp"
+#include "network_edges.hpp"
+#include "network_weights.hpp"
 #include "paced_family.hpp"
 #include "span_places.hpp"
 #include "splinecore/base/errors.hpp"
@@ -271,12 +273,12 @@ bool is_rational(const PacedFamily& family) { return std::ranges::any_of(family.
 /// then so near that directions hardly change.
 void let_meet(GordonNet& net, bool as_polynomials, double tolerance) {
   const double within = as_polynomials ? 0x1p-9 * tolerance : 0.5 * tolerance;
-  const bool are_there = net.u.is_there && net.v.is_there;
-  const bool are_polynomials = !is_rational(net.u) && !is_rational(net.v);
-  if (are_there && (are_polynomials || (!as_polynomials && reconcile_weights(net.u, net.v)))) return;
-  for (PacedFamily* family : {&net.u, &net.v}) {
-    if (is_rational(*family) || !family->is_there) repace(*family, within);
-  }
+  const bool are_there = net.u.is_there() && net.v.is_there();
+  const bool are_rational = is_rational(net.u) || is_rational(net.v);
+  if (are_there && !are_rational) return;
+  if (are_there && !as_polynomials && reconcile_weights(net.u, net.v)) return;
+  if (are_rational && !as_polynomials && let_meet_with_weights(net.u, net.v, within)) return;
+  for (PacedFamily* family : {&net.u, &net.v}) repace(*family, within);
 }
 
 void require_neighbours(std::span<const LoftNeighbour> neighbours) {
@@ -289,7 +291,7 @@ void require_neighbours(std::span<const LoftNeighbour> neighbours) {
 
 }  // namespace
 
-Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
+NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
                                   std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours) {
   if (tolerance) require_tolerance(*tolerance);
   require_neighbours(neighbours);
@@ -304,7 +306,7 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
-  GordonNet net{paced(curves.u), paced(curves.v), {}};
+  GordonNet net{paced(curves.u, !curves.v.is_closed), paced(curves.v, !curves.u.is_closed), {}};
   said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
   const auto patch_of = [&](GordonNet whole) {
     add_others_to_closed(whole.u, whole.v);
@@ -317,21 +319,28 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   NurbsPatch patch = patch_of(net);
   if (!have_positive_weights(patch.points()) && have_positive_weights(all)) {
     said_outside(space, [&] {
-      for (PacedFamily* family : {&net.u, &net.v}) {
-        if (is_rational(*family)) repace(*family, 0.5 * within);
-      }
+      for (PacedFamily* family : {&net.u, &net.v}) repace(*family, 0.5 * within);
     });
     patch = patch_of(net);
   }
   if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
-  const double error =
-      std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
-  if (error > within) {
+  const auto require_within = [&] {
+    const double error =
+        std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
+    if (error <= within) return error;
     const char* const reason = beyond.empty() ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
                                               : "a curve does not leave a neighbour in its tangent plane";
     throw ToleranceNotReached(reason, space.length(within), space.length(error));
+  };
+  require_within();
+  patch = with_outermost(patch, net.u, net.v);
+  const double error = require_within();
+  std::array<std::optional<double>, 4> paces = distances_of_paces(patch, net.u, net.v);
+  for (auto& distance : paces) {
+    if (distance) distance = space.length(*distance);
   }
-  return {patch.with_points(space.leave(patch.points())), space.length(error)};
+  const NurbsPatch begun = begun_as_given(patch, curves);
+  return {begun.with_points(space.leave(begun.points())), space.length(error), paces};
 }
 
 }  // namespace splinecore
