@@ -289,6 +289,68 @@ void require_neighbours(std::span<const LoftNeighbour> neighbours) {
   }
 }
 
+/// What curves are to keep to, in their space, and how long 1 is outside.
+struct NetworkTask {
+  const NetworkCurves& curves;
+  const std::vector<LoftNeighbour>& beyond;
+  double within;
+  double unit;
+};
+
+struct FoundSurface {
+  GordonNet net;
+  NurbsPatch patch;
+  double error;
+};
+
+NurbsPatch patch_of(GordonNet whole, const NetworkTask& task) {
+  add_others_to_closed(whole.u, whole.v);
+  add_others_to_closed(whole.v, whole.u);
+  whole.borders = network_borders(whole.u, whole.v, task.beyond, task.within, task.unit);
+  make_compatible(whole.u, whole.borders.along_u);
+  make_compatible(whole.v, whole.borders.along_v);
+  return summed(whole);
+}
+
+bool are_positive(const PacedFamily& family) {
+  return std::ranges::all_of(family.own, [](const NurbsCurve& curve) { return have_positive_weights(curve.points()); });
+}
+
+/// @param fit  how near curves are run through that do not meet the others as they are
+FoundSurface found_surface(const NetworkTask& task, double fit) {
+  const auto& [u, v] = task.curves;
+  GordonNet net{paced(u, !v.is_closed), paced(v, !u.is_closed), {}};
+  let_meet(net, !task.beyond.empty(), fit);
+  NurbsPatch patch = patch_of(net, task);
+  if (!have_positive_weights(patch.points()) && are_positive(net.u) && are_positive(net.v)) {
+    for (PacedFamily* family : {&net.u, &net.v}) repace(*family, 0.5 * fit);
+    patch = patch_of(net, task);
+  }
+  if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
+  const auto error_of = [&](const NurbsPatch& one) {
+    return std::max(distance_from(one, net.u, net.v.wanted, Axis::v), distance_from(one, net.v, net.u.wanted, Axis::u));
+  };
+  const double error = error_of(patch);
+  if (error > task.within) return {std::move(net), std::move(patch), error};
+  patch = with_outermost(patch, net.u, net.v);
+  const double with_sides = error_of(patch);
+  return {std::move(net), std::move(patch), with_sides};
+}
+
+/// Fits that the sum makes worse are made closer.
+FoundSurface surface_within(const NetworkTask& task) {
+  constexpr double kCloser = 0x1p-4;
+  FoundSurface found = found_surface(task, task.within);
+  const auto are_given = [](const PacedFamily& family) { return family.is_there() && !is_rational(family); };
+  const bool is_fitted = !are_given(found.net.u) || !are_given(found.net.v);
+  if (found.error > task.within && is_fitted) found = found_surface(task, kCloser * task.within);
+  if (found.error <= task.within) return found;
+  const char* const reason = task.beyond.empty()
+                                 ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
+                                 : "a curve does not leave a neighbour in its tangent plane";
+  throw ToleranceNotReached(reason, task.within, found.error);
+}
+
 }  // namespace
 
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
@@ -306,41 +368,13 @@ NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const Nurb
   for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
-  GordonNet net{paced(curves.u, !curves.v.is_closed), paced(curves.v, !curves.u.is_closed), {}};
-  said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
-  const auto patch_of = [&](GordonNet whole) {
-    add_others_to_closed(whole.u, whole.v);
-    add_others_to_closed(whole.v, whole.u);
-    whole.borders = network_borders(whole.u, whole.v, beyond, within, space.length(1.0));
-    make_compatible(whole.u, whole.borders.along_u);
-    make_compatible(whole.v, whole.borders.along_v);
-    return summed(whole);
-  };
-  NurbsPatch patch = patch_of(net);
-  if (!have_positive_weights(patch.points()) && have_positive_weights(all)) {
-    said_outside(space, [&] {
-      for (PacedFamily* family : {&net.u, &net.v}) repace(*family, 0.5 * within);
-    });
-    patch = patch_of(net);
-  }
-  if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
-  const auto require_within = [&] {
-    const double error =
-        std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
-    if (error <= within) return error;
-    const char* const reason = beyond.empty() ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
-                                              : "a curve does not leave a neighbour in its tangent plane";
-    throw ToleranceNotReached(reason, space.length(within), space.length(error));
-  };
-  require_within();
-  patch = with_outermost(patch, net.u, net.v);
-  const double error = require_within();
-  std::array<std::optional<double>, 4> paces = distances_of_paces(patch, net.u, net.v);
+  const FoundSurface found = said_outside(space, [&] { return surface_within({curves, beyond, within, space.length(1.0)}); });
+  std::array<std::optional<double>, 4> paces = distances_of_paces(found.patch, found.net.u, found.net.v);
   for (auto& distance : paces) {
     if (distance) distance = space.length(*distance);
   }
-  const NurbsPatch begun = begun_as_given(patch, curves);
-  return {begun.with_points(space.leave(begun.points())), space.length(error), paces};
+  const NurbsPatch begun = begun_as_given(found.patch, curves);
+  return {begun.with_points(space.leave(begun.points())), space.length(found.error), paces};
 }
 
 }  // namespace splinecore
