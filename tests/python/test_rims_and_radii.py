@@ -124,3 +124,25 @@ def test_radii_inside_an_edge_whose_sides_slant(slant):
             made = build.fillet_patches(pair[0], 'v_start', pair[1], 'v_start', radii, tolerance=1e-4)
             require_closed_up(made)
             assert made.error <= 1e-4
+
+
+def test_walls_on_wild_edges_are_closed_up(inputs):
+    """Nothing but the outer sides is open; what is refused is named."""
+    made_count = 0
+    for seed in range(inputs(60)):
+        rng = np.random.default_rng([seed, 91])
+        degree = int(rng.integers(1, 6))
+        count = degree + 1 + int(rng.integers(0, 5))
+        knots = np.r_[np.zeros(degree + 1), np.sort(rng.uniform(0.1, 0.9, count - degree - 1)), np.ones(degree + 1)]
+        points = np.c_[np.linspace(0, 10, count), rng.normal(0, 0.7, count), np.zeros(count)]
+        edge = sc.NurbsCurve(degree, knots, points, 10**rng.uniform(-0.3, 0.3, count) if rng.random() < 0.4 else None)
+        wall, floor = build.extrude(edge, (rng.uniform(-0.5, 0.5), 0, 4)), build.extrude(edge, (rng.uniform(-1, 1), -8, 0))
+        try:
+            made = build.fillet_patches(wall, 'v_start', floor, 'v_start', 0.3, tolerance=1e-3)
+        except (sc.InvalidShape, sc.ToleranceNotReached) as refused:
+            assert any(word in str(refused) for word in ("crease", "ball", "cannot be had")), (seed, refused)
+            continue
+        made_count += 1
+        counts = require_closed_up(made).edge_counts()
+        assert counts['shared'] == 2 and counts['free'] == 8, seed
+    assert made_count > 0.5 * inputs(60)
