@@ -124,8 +124,9 @@ void bind_patch_blend(py::module_& build) {
             py::arg("strengths") = 1.0, py::kw_only(), py::arg("align") = true,
             "The NurbsPatch from a side of one patch to a side of another one that goes on from both: with their points, tangent\n"
             "planes, curvatures and how these change for 'G0' to 'G3', one word for both or a pair. u runs along the sides, v\n"
-            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does; a closed\n"
-            "one then begins beside where a's does, so that its edge is the same curve, begun elsewhere.\n"
+            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does, and closed\n"
+            "ones are joined where they lie beside each other. Both keep their beginnings, so that edges stay edges: where these do\n"
+            "not lie beside each other, lines across lead from one to the other, over several spans.\n"
             "Lecture row S21.\n\n"
             "InvalidShape if a side is the seam of a periodic direction or lies at infinity, a patch stands still across its\n"
             "side, both sides are one, or weights would not stay positive; ToleranceNotReached where rounding leaves it off the\n"

@@ -1,17 +1,21 @@
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "approximation.hpp"
 #include "arguments.hpp"
+#include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "neighbours.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/coons.hpp"
 #include "splinecore/surface/network.hpp"
+#include "values.hpp"
 
 namespace bindings {
 
+using splinecore::NetworkSurface;
 using splinecore::NurbsCurve;
 
 namespace {
@@ -47,7 +51,28 @@ std::vector<splinecore::LoftNeighbour> neighbours_of(const py::object& value) {
 
 }  // namespace
 
+void bind_network_surface(py::module_& module) {
+  Class<NetworkSurface> cls(module, "NetworkSurface", py::module_local(),
+                            "The surface through a network: value, a NurbsPatch, and error, the largest distance from a curve.\n\n"
+                            "Unpacks: value, error = build.network(...). paces tells, for its sides u_start, u_end, v_start and v_end, how far\n"
+                            "they are from the outermost curves at the same share of their parameters, lengths, None where a direction is closed:\n"
+                            "0 but for rounding where the curve keeps its pace, so that a patch whose edge it is shares that.");
+  seal(cls);
+  cls.def_readonly("value", &NetworkSurface::value);
+  cls.def_readonly("error", &NetworkSurface::error);
+  cls.def_property_readonly("paces", [](const NetworkSurface& self) {
+    py::tuple found(self.paces.size());
+    for (std::size_t i = 0; i < self.paces.size(); ++i) {
+      found[i] = self.paces[i] ? py::object(py::float_(*self.paces[i])) : py::none();
+    }
+    return found;
+  });
+  cls.def("__iter__", [](const NetworkSurface& self) { return py::iter(py::make_tuple(self.value, self.error)); });
+  cls.def("__repr__", [](const NetworkSurface& self) { return "NetworkSurface(error=" + splinecore::text_of(self.error) + ")"; });
+}
+
 void bind_networks(py::module_& module) {
+  bind_network_surface(module);
   py::module_ build = module.attr("build");
   build.def("coons", [](const py::object& sides, const py::object& across, const py::object& tolerance,
                         const py::object& cancel) {
@@ -79,19 +104,21 @@ void bind_networks(py::module_& module) {
               const std::vector<NurbsCurve> v = any_curves(along_v, "along_v");
               const auto beyond = neighbours_of(neighbours);
               const auto within = tolerance_of(tolerance);
-              return wrap(unlocked([&] { return splinecore::network(u, v, within, beyond); }, cancel));
+              return unlocked([&] { return splinecore::network(u, v, within, beyond); }, cancel);
             }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("neighbours") = py::none(),
             py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
             "The surface through a network of curves of any kinds, each of the first ones meeting each of the others once:\n"
             "(value, error), a NurbsPatch and the largest distance from a curve. The surfaces through either, less the one\n"
             "through their crossings (Gordon 1969; lecture row S21).\n\n"
-            "Any order and directions; what hangs over the outermost curves is cut off. Where curves are not at the same\n"
-            "parameters at all crossings, or their weights cannot be made one there, they are run through at another pace, as\n"
-            "polynomials within half the tolerance, a length, by default 2^-20 of the size; otherwise nothing is rounded, and\n"
-            "curves of a patch give it back where they are as many as its control points in one direction. If all curves of\n"
-            "a direction are closed, the surface is, also through two or three of the others.\n\n"
+            "Any order and directions; what hangs over the outermost curves by more than the tolerance is cut off. Outermost curves\n"
+            "keep their pace, so that edges of other patches stay edges. Where others are not at the same parameters at all\n"
+            "crossings, or their weights cannot be made one there, they are run through at another pace within half the tolerance,\n"
+            "a length, by default 2^-20 of the size; otherwise nothing is rounded, and curves of a patch give it back where they\n"
+            "are as many as its control points in one direction. Where both outermost ones of a direction are at different paces,\n"
+            "that of the one given first is kept: paces of what is returned tells how far the other is off. If all curves of a\n"
+            "direction are closed, the surface is, also through two or three of the others, and begins where the outermost one does.\n\n"
             "neighbours are (patch, side, 'G1'): from each the surface goes on, in its tangent planes to 1e-4 radians, over the\n"
-            "outermost curve that lies on that side; curves are polynomials then, and must leave it in these planes.\n\n"
+            "outermost curve that lies on that side; rational curves become polynomials then, and all must leave it in these planes.\n\n"
             "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, that are\n"
             "a point or cross another one where a third does, fewer than four closed ones across as few, or a neighbour\n"
             "that lies along none of the outermost curves; ToleranceNotReached.");

@@ -125,9 +125,10 @@ void bind_fillet_patches(py::module_& build) {
             "The RoundedEdge of two patches that have a side in common, by a ball that rolls along it and touches both (Rossignac\n"
             "and Requicha 1984; row S21).\n\n"
             "radius is a number, or (n, 2): parameters of the first patch along the edge and radii there, between which it goes\n"
-            "without overshoot. tolerance, a length: by default 2^-20 of the size. The three share their sides: the same points on\n"
-            "the same knots, for which patches gain some along the edge. Cross sections of the fillet are arcs of circles where the\n"
-            "ball touches both patches at the same parameter along the edge.\n"
+            "without overshoot, and beyond which it is level. tolerance, a length: by default 2^-20 of the size. The three share\n"
+            "their sides: the same points on the same knots, for which patches gain some along the edge. Cross sections of the fillet\n"
+            "are arcs of circles where the ball touches both patches at the same parameter along the edge. Closed edges may begin\n"
+            "elsewhere, and run at other paces: each patch keeps its seam, but for one that closes to a point.\n"
             "InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0 or too large;\n"
             "ToleranceNotReached.");
 }

@@ -20,10 +20,24 @@ def cubic(rng):
     return sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], np.c_[rng.uniform(-2, 2, (6, 2)), np.zeros(6)])
 
 
-def offset_polygon(curve, side, count):
-    found = np.array([curve.derivatives(u, 1) for u in np.linspace(*curve.domain, count)])
+def offset_points(curve, side, at):
+    found = np.array([curve.derivatives(u, 1) for u in at])
     tangent = found[:, 1, :2] / np.linalg.norm(found[:, 1, :2], axis=1)[:, None]
     return found[:, 0, :2] + side * np.c_[-tangent[:, 1], tangent[:, 0]]
+
+
+def offset_polygon(curve, side, count, longest=0.02):
+    """At even parameters, and closer where a curve that nearly stops turns round: there the offset runs along an arc."""
+    at = np.linspace(*curve.domain, count)
+    points = offset_points(curve, side, at)
+    for _ in range(40):
+        steps = np.flatnonzero(np.linalg.norm(np.diff(points, axis=0), axis=1) > longest)
+        if not len(steps):
+            break
+        between = 0.5 * (at[steps] + at[steps + 1])
+        points = np.insert(points, steps + 1, offset_points(curve, side, between), axis=0)
+        at = np.insert(at, steps + 1, between)
+    return points
 
 
 def crossings(a, b):

@@ -15,6 +15,7 @@ from . import (
     HermiteCurve,
     HermitePatch,
     JoinedPatches,
+    NetworkSurface,
     NurbsCurve,
     NurbsPatch,
     PowerCurve,
@@ -276,7 +277,7 @@ def network(
     neighbours: Sequence[_Neighbour] | None = None,
     tolerance: float | None = None,
     cancel: Callable[[], object] | None = None,
-) -> Approximation[NurbsPatch]: ...
+) -> NetworkSurface: ...
 def sweep(
     rail: _Curve,
     sections: _Curve | Sequence[_Curve],

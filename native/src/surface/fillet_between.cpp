@@ -12,11 +12,13 @@
 #include "fit/row_spline.hpp"
 #include "fitted_patch.hpp"
 #include "greville.hpp"
+#include "patch/lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/compatible.hpp"
+#include "splinecore/curve/ends.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/isocurve.hpp"
@@ -71,7 +73,9 @@ NurbsPatch on_knots(const NurbsPatch& given, const KnotVector& wanted) {
   const int more = wanted.degree() - patch.knot_vector(Axis::u).degree();
   const NurbsPatch raised = more > 0 ? elevated(patch, Axis::u, more) : patch;
   const std::vector<double> knots = lacking(raised.knot_vector(Axis::u), wanted);
-  return knots.empty() ? raised : refine(raised, Axis::u, knots);
+  const NurbsPatch refined = knots.empty() ? raised : refine(raised, Axis::u, knots);
+  if (!wanted.periodic()) return refined;
+  return along(refined, Axis::u, [](const NurbsCurve& line) { return with_whole_seam(line); });
 }
 
 std::vector<glm::dvec4> side_points(const NurbsPatch& patch) {
@@ -95,9 +99,9 @@ std::vector<double> weights_at(const std::vector<glm::dvec4>& side, const Sample
 
 /// The middle of the arc between both contacts of three homogeneous points, of which the outer ones have weight 1.
 glm::dvec4 tip_of(const Contact& contact) {
-  const glm::dvec3 middle = (contact.first - contact.centre) + (contact.second - contact.centre);
-  const double half = 0.5 * length_of(middle) / contact.radius;  // cosine of half the angle
-  const glm::dvec3 tip = contact.centre + middle / (2.0 * half * half);
+  const glm::dvec3 middle = (contact.first - contact.circle_centre) + (contact.second - contact.circle_centre);
+  const double half = 0.5 * length_of(middle) / contact.circle_radius;  // cosine of half the angle
+  const glm::dvec3 tip = contact.circle_centre + middle / (2.0 * half * half);
   return {half * tip, half};
 }
 
@@ -135,7 +139,8 @@ class FilletFit {
   /// Both on the knots of both.
   void agree() {
     const std::array<NurbsCurve, 2> sides{boundary(first_, Border::v_start), boundary(second_, Border::v_start)};
-    const KnotVector wanted = compatible(sides)[0].knot_vector();
+    const NurbsCurve both = compatible(sides)[0];
+    const KnotVector wanted = both.periodic() ? with_whole_seam(both).knot_vector() : both.knot_vector();
     first_ = on_knots(first_, wanted);
     second_ = on_knots(second_, wanted);
   }
@@ -238,6 +243,15 @@ double largest_step(const std::vector<glm::dvec4>& from, const std::vector<glm::
 
 std::vector<glm::dvec4> last_points(const NurbsPatch& patch) { return side_points(reversed(patch, Axis::v)); }
 
+/// How much farther along the first patch the ball is where it touches the second at u; of closed ones less than once round, without
+/// a jump where that is never half the way round more than at the start.
+double ahead(const RollingBall& ball, double u, bool is_closed) {
+  const double by = ball.at(u, false).on_first.x - u;
+  if (!is_closed) return by;
+  const double at_start = std::remainder(ball.at(0.0, false).on_first.x, 1.0);
+  return at_start + std::remainder(by - at_start, 1.0);
+}
+
 }  // namespace
 
 FilletBetween fillet_of_arcs(const NurbsPatch& first, const NurbsPatch& second, const RollingBall& ball, double tolerance) {
@@ -246,14 +260,15 @@ FilletBetween fillet_of_arcs(const NurbsPatch& first, const NurbsPatch& second, 
 
 FilletBetween slanted_fillet(const NurbsPatch& first, const NurbsPatch& second, const RollingBall& ball, double tolerance) {
   constexpr double kShare = 0.25;
-  constexpr std::size_t kMost = 1 << 12;  // where patches bend abruptly across the edge more would not come nearer
+  constexpr std::size_t kMost = 1 << 14;  // where patches bend abruptly across the edge more would not come nearer
   const FilletBetween rough = FilletFit(first, second, ball).rough();
   const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
     for (std::size_t i = 0; i < u.size(); ++i) {
-      const double end = ball.at(u[i], false).on_first.x;
+      const double end = u[i] + ahead(ball, u[i], first.knot_vector(Axis::u).periodic());
+      const std::vector<double> along = ball.between(u[i], end, v);
       for (std::size_t j = 0; j < v.size(); ++j) {
         breathe(64);
-        points[i * v.size() + j] = on_arc(ball.at(std::lerp(u[i], end, v[j]), true), v[j]);
+        points[i * v.size() + j] = on_arc(ball.at(along[j], true), v[j]);
       }
     }
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "base/length.hpp"
@@ -14,6 +15,7 @@
 #include "fitted_patch.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
+#include "rim_start.hpp"
 #include "rolling_ball.hpp"
 #include "side_first.hpp"
 #include "splinecore/base/errors.hpp"
@@ -35,32 +37,16 @@ NurbsPatch ready(const NurbsPatch& patch, Border side, bool is_reversed) {
   return with_domain(with_domain(made, Axis::u, {0.0, 1.0}), Axis::v, {0.0, 1.0});
 }
 
-/// Places in every span of both patches along their edge.
-std::vector<double> places_along(const NurbsPatch& a, const NurbsPatch& b) {
-  constexpr std::array kShares{0.0, 0.13, 0.31, 0.5, 0.72, 0.89};
-  std::vector<double> places{1.0};
-  for (const NurbsPatch* const patch : {&a, &b}) {
-    const KnotVector& knots = patch->knot_vector(Axis::u);
-    for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
-      const Interval span = knots.span_interval(i);
-      for (const double share : kShares) places.push_back(span.start + share * span.length());
-    }
+/// @throws InvalidShape unless the sides are one edge
+BesideEdge beside_edge(NurbsPatch first, NurbsPatch second, double tolerance, double unit) {
+  const double gap = gap_between(first, second);
+  if (gap <= tolerance) {
+    const bool is_one_closed = first.knot_vector(Axis::u).periodic() != second.knot_vector(Axis::u).periodic();
+    if (!is_one_closed || !is_closed(first) || !is_closed(second)) return {std::move(first), std::move(second), false, {}};
+    return {closed_up(first), closed_up(second), false, {}};
   }
-  return places;
-}
-
-void require_common_edge(const NurbsPatch& a, const NurbsPatch& b, double tolerance, double unit) {
-  const std::vector<double> u = places_along(a, b);
-  const double start[] = {0.0};
-  std::vector<glm::dvec3> on_a(u.size());
-  std::vector<glm::dvec3> on_b(u.size());
-  evaluate_grid(a, u, start, std::span(&on_a.front().x, 3 * on_a.size()));
-  evaluate_grid(b, u, start, std::span(&on_b.front().x, 3 * on_b.size()));
-  double gap = 0.0;
-  for (std::size_t k = 0; k < u.size(); ++k) gap = std::max(gap, distance_of(on_a[k], on_b[k]));
-  if (!(gap <= tolerance)) {
-    throw InvalidShape("the sides are not one edge, run through at one pace: they lie " + text_of(gap * unit) + " apart");
-  }
+  if (auto found = beside_rim(first, second, tolerance)) return *std::move(found);
+  throw InvalidShape("the sides are not one edge, run through at one pace: they lie " + text_of(gap * unit) + " apart");
 }
 
 /// Where the contact with a patch is less smooth than the patch: at its own knots, for the ball goes by its tangent planes, and where
@@ -72,7 +58,8 @@ std::vector<double> joints_of(const NurbsPatch& patch, const NurbsPatch& other, 
   std::vector<double> found = softened(own);
   for (const double knot : inner_knots(others)) {
     const Contact contact = ball.at(knot, !is_first);
-    const double at = is_first ? contact.on_first.x : contact.on_second.x;
+    const double reached = is_first ? contact.on_first.x : contact.on_second.x;
+    const double at = own.periodic() ? reached - std::floor(reached) : reached;
     const bool is_own = std::ranges::any_of(own.knots(), [&](double u) { return std::abs(u - at) <= kSame; });
     if (is_own || !(at > kSame && at < 1.0 - kSame)) continue;
     const int smooth = others.degree() - multiplicity(others, knot) - 1;
@@ -140,25 +127,27 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const NearSpace space(together(first.points(), second.points()));
   const double unit = space.length(1.0);
   const double within = tolerance ? *tolerance / unit : 0x1p-20;
-  const bool is_reversed = run_against(first, first_side, second, second_side);
-  const NurbsPatch a = ready(first.with_points(space.enter(first.points())), first_side, false);
-  const NurbsPatch b = ready(second.with_points(space.enter(second.points())), second_side, is_reversed);
-  require_common_edge(a, b, within, unit);
+  const bool runs_against = run_against(first, first_side, second, second_side);
+  const BesideEdge beside = beside_edge(ready(first.with_points(space.enter(first.points())), first_side, false),
+                                        ready(second.with_points(space.enter(second.points())), second_side, runs_against), within, unit);
+  const NurbsPatch& a = beside.first;
+  const NurbsPatch& b = beside.second;
+  const bool is_reversed = runs_against != beside.is_reversed;
   require_smooth(a, Axis::u);
   require_smooth(b, Axis::u);
   const bool is_closed = a.knot_vector(Axis::u).periodic() && b.knot_vector(Axis::u).periodic();
   const Interval along = first.knot_vector(axis_of(first_side) == Axis::u ? Axis::v : Axis::u).domain();
   const std::vector<RailNumber> over_edge = over_unit(radii, along, unit);
   const NumbersAlong by_edge(over_edge, {0.0, 1.0}, is_closed, "radius");
-  const RollingBall ball(a, b, by_edge);
+  const RollingBall ball(a, b, by_edge, beside.places);
   const std::vector<double> places = places_along(a, b);
   constexpr double kCut = 0.25;  // of the tolerance, for what is left of the patches: the fillet is measured from where they should be
   const auto within_tolerance = [&](const auto& make) { return said_outside(space, make); };
   const auto left_a = within_tolerance([&] { return shortened(a, b, ball, places, true, kCut * within); });
   const auto left_b = within_tolerance([&] { return shortened(b, a, ball, places, false, kCut * within); });
   const FilletBetween made = within_tolerance([&] {
-    return is_even(ball, places) ? fillet_of_arcs(left_a.value, left_b.value, ball, within)
-                                : slanted_fillet(left_a.value, left_b.value, ball, within);
+    return !beside.places && is_even(ball, places) ? fillet_of_arcs(left_a.value, left_b.value, ball, within)
+                                                   : slanted_fillet(left_a.value, left_b.value, ball, within);
   });
   const auto out = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
   const NurbsPatch back_b = is_reversed ? reversed(made.second, Axis::u) : made.second;

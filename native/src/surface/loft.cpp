@@ -13,7 +13,6 @@
 #include "base/quotient.hpp"
 #include "fit/row_spline.hpp"
 #include "going_on.hpp"
-#include "kept_continuity.hpp"
 #include "loft_misses.hpp"
 #include "loft_pace.hpp"
 #include "loft_sections.hpp"
@@ -204,17 +203,6 @@ Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const Loft
     points[i * count_v + count_v - 1] = made.rows.back().points[i];
   }
   return {NurbsPatch::make(made.knots, spline.knots, std::move(points)), made.error + made.space.length(miss)};
-}
-
-NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned) {
-  LoftOptions options;
-  options.is_aligned = is_aligned;
-  options.start.neighbour = from;
-  options.end.neighbour = to;
-  NurbsPatch made = loft({}, options).value;
-  require_continuity(made, Border::v_start, from, "the first patch");
-  require_continuity(made, Border::v_end, to, "the second patch");
-  return made;
 }
 
 }  // namespace splinecore

@@ -17,6 +17,8 @@
 #include "meet/said_outside.hpp"
 #include "network_borders.hpp"
 #include "network_curves.hpp"
+#include "network_edges.hpp"
+#include "network_weights.hpp"
 #include "paced_family.hpp"
 #include "span_places.hpp"
 #include "splinecore/base/errors.hpp"
@@ -271,12 +273,12 @@ bool is_rational(const PacedFamily& family) { return std::ranges::any_of(family.
 /// then so near that directions hardly change.
 void let_meet(GordonNet& net, bool as_polynomials, double tolerance) {
   const double within = as_polynomials ? 0x1p-9 * tolerance : 0.5 * tolerance;
-  const bool are_there = net.u.is_there && net.v.is_there;
-  const bool are_polynomials = !is_rational(net.u) && !is_rational(net.v);
-  if (are_there && (are_polynomials || (!as_polynomials && reconcile_weights(net.u, net.v)))) return;
-  for (PacedFamily* family : {&net.u, &net.v}) {
-    if (is_rational(*family) || !family->is_there) repace(*family, within);
-  }
+  const bool are_there = net.u.is_there() && net.v.is_there();
+  const bool are_rational = is_rational(net.u) || is_rational(net.v);
+  if (are_there && !are_rational) return;
+  if (are_there && !as_polynomials && reconcile_weights(net.u, net.v)) return;
+  if (are_rational && !as_polynomials && let_meet_with_weights(net.u, net.v, within)) return;
+  for (PacedFamily* family : {&net.u, &net.v}) repace(*family, within);
 }
 
 void require_neighbours(std::span<const LoftNeighbour> neighbours) {
@@ -287,9 +289,71 @@ void require_neighbours(std::span<const LoftNeighbour> neighbours) {
   }
 }
 
+/// What curves are to keep to, in their space, and how long 1 is outside.
+struct NetworkTask {
+  const NetworkCurves& curves;
+  const std::vector<LoftNeighbour>& beyond;
+  double within;
+  double unit;
+};
+
+struct FoundSurface {
+  GordonNet net;
+  NurbsPatch patch;
+  double error;
+};
+
+NurbsPatch patch_of(GordonNet whole, const NetworkTask& task) {
+  add_others_to_closed(whole.u, whole.v);
+  add_others_to_closed(whole.v, whole.u);
+  whole.borders = network_borders(whole.u, whole.v, task.beyond, task.within, task.unit);
+  make_compatible(whole.u, whole.borders.along_u);
+  make_compatible(whole.v, whole.borders.along_v);
+  return summed(whole);
+}
+
+bool are_positive(const PacedFamily& family) {
+  return std::ranges::all_of(family.own, [](const NurbsCurve& curve) { return have_positive_weights(curve.points()); });
+}
+
+/// @param fit  how near curves are run through that do not meet the others as they are
+FoundSurface found_surface(const NetworkTask& task, double fit) {
+  const auto& [u, v] = task.curves;
+  GordonNet net{paced(u, !v.is_closed), paced(v, !u.is_closed), {}};
+  let_meet(net, !task.beyond.empty(), fit);
+  NurbsPatch patch = patch_of(net, task);
+  if (!have_positive_weights(patch.points()) && are_positive(net.u) && are_positive(net.v)) {
+    for (PacedFamily* family : {&net.u, &net.v}) repace(*family, 0.5 * fit);
+    patch = patch_of(net, task);
+  }
+  if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
+  const auto error_of = [&](const NurbsPatch& one) {
+    return std::max(distance_from(one, net.u, net.v.wanted, Axis::v), distance_from(one, net.v, net.u.wanted, Axis::u));
+  };
+  const double error = error_of(patch);
+  if (error > task.within) return {std::move(net), std::move(patch), error};
+  patch = with_outermost(patch, net.u, net.v);
+  const double with_sides = error_of(patch);
+  return {std::move(net), std::move(patch), with_sides};
+}
+
+/// Fits that the sum makes worse are made closer.
+FoundSurface surface_within(const NetworkTask& task) {
+  constexpr double kCloser = 0x1p-4;
+  FoundSurface found = found_surface(task, task.within);
+  const auto are_given = [](const PacedFamily& family) { return family.is_there() && !is_rational(family); };
+  const bool is_fitted = !are_given(found.net.u) || !are_given(found.net.v);
+  if (found.error > task.within && is_fitted) found = found_surface(task, kCloser * task.within);
+  if (found.error <= task.within) return found;
+  const char* const reason = task.beyond.empty()
+                                 ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
+                                 : "a curve does not leave a neighbour in its tangent plane";
+  throw ToleranceNotReached(reason, task.within, found.error);
+}
+
 }  // namespace
 
-Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
+NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
                                   std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours) {
   if (tolerance) require_tolerance(*tolerance);
   require_neighbours(neighbours);
@@ -304,34 +368,13 @@ Approximation<NurbsPatch> network(std::span<const NurbsCurve> along_u, std::span
   for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
-  GordonNet net{paced(curves.u), paced(curves.v), {}};
-  said_outside(space, [&] { let_meet(net, !beyond.empty(), within); });
-  const auto patch_of = [&](GordonNet whole) {
-    add_others_to_closed(whole.u, whole.v);
-    add_others_to_closed(whole.v, whole.u);
-    whole.borders = network_borders(whole.u, whole.v, beyond, within, space.length(1.0));
-    make_compatible(whole.u, whole.borders.along_u);
-    make_compatible(whole.v, whole.borders.along_v);
-    return summed(whole);
-  };
-  NurbsPatch patch = patch_of(net);
-  if (!have_positive_weights(patch.points()) && have_positive_weights(all)) {
-    said_outside(space, [&] {
-      for (PacedFamily* family : {&net.u, &net.v}) {
-        if (is_rational(*family)) repace(*family, 0.5 * within);
-      }
-    });
-    patch = patch_of(net);
+  const FoundSurface found = said_outside(space, [&] { return surface_within({curves, beyond, within, space.length(1.0)}); });
+  std::array<std::optional<double>, 4> paces = distances_of_paces(found.patch, found.net.u, found.net.v);
+  for (auto& distance : paces) {
+    if (distance) distance = space.length(*distance);
   }
-  if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
-  const double error =
-      std::max(distance_from(patch, net.u, net.v.wanted, Axis::v), distance_from(patch, net.v, net.u.wanted, Axis::u));
-  if (error > within) {
-    const char* const reason = beyond.empty() ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
-                                              : "a curve does not leave a neighbour in its tangent plane";
-    throw ToleranceNotReached(reason, space.length(within), space.length(error));
-  }
-  return {patch.with_points(space.leave(patch.points())), space.length(error)};
+  const NurbsPatch begun = begun_as_given(found.patch, curves);
+  return {begun.with_points(space.leave(begun.points())), space.length(found.error), paces};
 }
 
 }  // namespace splinecore

@@ -150,8 +150,10 @@ bool runs_against(const NurbsCurve& curve, const std::vector<double>& at, const 
 }
 
 /// From the first crossing on, once round, over one period that begins there.
-void begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
+/// @returns where in it the curve began before
+double begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
   if (!curve.periodic()) curve = made_periodic(curve).value;
+  const double before = curve.domain().start;
   const double period = curve.domain().length();
   const double start = curve.knot_vector().admit(at.front(), Side::right);
   curve = with_seam_at(curve, start);
@@ -161,12 +163,33 @@ void begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
   }
   at.front() = start;
   at.push_back(curve.domain().end);
+  return before < start ? before + period : before;
+}
+
+/// The length of the control polygon.
+double polygon_length(const NurbsCurve& curve) {
+  double sum = 0.0;
+  const auto points = curve.points();
+  for (std::size_t i = 1; i < points.size(); ++i) sum += distance_of(glm::dvec3(points[i - 1]), glm::dvec3(points[i]));
+  return sum;
+}
+
+/// Between the outermost crossings, or up to an end that lies less than a length beyond.
+NurbsCurve without_ends(const NurbsCurve& curve, std::vector<double>& at, double length) {
+  const Interval whole = curve.domain();
+  const auto is_end = [&](double from, double to) { return !(from < to) || polygon_length(part(curve, from, to)) <= length; };
+  if (is_end(whole.start, at.front())) at.front() = whole.start;
+  if (is_end(at.back(), whole.end)) at.back() = whole.end;
+  const bool is_whole = at.front() == whole.start && at.back() == whole.end;
+  return clamped(is_whole ? curve : part(curve, at.front(), at.back()));
 }
 
 /// Brings the curves of a family into the order of the others, whose order stands.
 /// @param order  numbers of the curves as they are given
 /// @param name   of the family
-void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, const char* name) {
+/// @param length  ends that are not longer are not cut off
+void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, const char* name, double length) {
+  family.order = order;
   std::optional<glm::dvec3> beside;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     NurbsCurve& curve = family.curves[i];
@@ -179,12 +202,12 @@ void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, con
       if (at.size() > 2 && rises(at) != at.size() - 1) refuse();
       if (at.size() == 2 && beside && runs_against(curve, at, *beside)) turn(curve, at);
       beside = point_between(curve, at, false);
-      begin_at_first(curve, at);
+      family.seams.push_back(begin_at_first(curve, at));
       continue;
     }
     if (at.front() > at.back()) turn(curve, at);
     if (!std::ranges::is_sorted(at)) refuse();
-    curve = clamped(part(curve, at.front(), at.back()));
+    curve = without_ends(curve, at, length);
     at.front() = curve.domain().start;
     at.back() = curve.domain().end;
   }
@@ -210,8 +233,8 @@ NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<cons
   network.v.curves = in_order(std::vector(along_v.begin(), along_v.end()), order_v);
   for (const std::size_t i : order_u) network.u.crossings.push_back(in_order(found.on_u[i], order_v));
   for (const std::size_t j : order_v) network.v.crossings.push_back(in_order(found.on_v[j], order_u));
-  run_along(network.u, order_u, "along_u");
-  run_along(network.v, order_v, "along_v");
+  run_along(network.u, order_u, "along_u", tolerance);
+  run_along(network.v, order_v, "along_v", tolerance);
   return network;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct NetworkFamily {
   std::vector<NurbsCurve> curves;
   /// [i][j]: where curve i meets curve j of the others; if closed one more, a period behind the first.
   std::vector<std::vector<double>> crossings;
+  std::vector<std::size_t> order{};  ///< which of the given ones each is
+  /// Of closed ones: where in their domain they began before.
+  std::vector<double> seams{};
   bool is_closed = false;
 };
 

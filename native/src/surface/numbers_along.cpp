@@ -32,6 +32,33 @@ void require_numbers(std::span<const RailNumber> numbers, const Interval& domain
 
 double secant(const RailNumber& a, const RailNumber& b) { return (b.value - a.value) / (b.at - a.at); }
 
+/// From 1 at t = 0 to 0 at 1, with three derivatives that are 0 at both.
+double value_part(double t) {
+  const double s = 1.0 - t;
+  return s * s * s * s * (1.0 + t * (4.0 + t * (10.0 + 20.0 * t)));
+}
+
+/// With the slope 1 at t = 0, otherwise 0 with three derivatives at both ends.
+double slope_part(double t) {
+  const double s = 1.0 - t;
+  return t * s * s * s * s * (1.0 + t * (4.0 + 10.0 * t));
+}
+
+double slope_part_slope(double t) {
+  const double s = 1.0 - t;
+  const double cubes = t * t * t * s * s * s;
+  return value_part(t) - 140.0 * t * cubes - 80.0 * cubes * (s - t);
+}
+
+/// By which numbers between others rise: harmonic means of secants (Fritsch and Butland 1984), and so much of the lesser one at most that
+/// polynomials of at() do not turn back.
+double rising_slope(double before, double behind) {
+  constexpr double kMost = 1.8;
+  const double slope = harmonic_slope(before, behind);
+  const double most = kMost * std::min(std::abs(before), std::abs(behind));
+  return std::clamp(slope, -most, most);
+}
+
 /// Two periods round those given, so that each number of a period has its neighbours.
 std::vector<RailNumber> repeated(std::span<const RailNumber> numbers, double period) {
   constexpr int kBeyond = 2;
@@ -53,11 +80,11 @@ NumbersAlong::NumbersAlong(std::span<const RailNumber> numbers, const Interval& 
   numbers_ = is_closed ? repeated(numbers, domain.length()) : std::vector<RailNumber>(numbers.begin(), numbers.end());
   slopes_.assign(numbers_.size(), 0.0);
   for (std::size_t i = 1; i + 1 < numbers_.size(); ++i) {
-    slopes_[i] = harmonic_slope(secant(numbers_[i - 1], numbers_[i]), secant(numbers_[i], numbers_[i + 1]));
+    slopes_[i] = rising_slope(secant(numbers_[i - 1], numbers_[i]), secant(numbers_[i], numbers_[i + 1]));
   }
   if (numbers_.size() < 2 || is_closed) return;
-  slopes_.front() = secant(numbers_[0], numbers_[1]);
-  slopes_.back() = secant(numbers_[numbers_.size() - 2], numbers_.back());
+  if (numbers_.front().at <= domain.start) slopes_.front() = secant(numbers_[0], numbers_[1]);
+  if (numbers_.back().at >= domain.end) slopes_.back() = secant(numbers_[numbers_.size() - 2], numbers_.back());
 }
 
 bool NumbersAlong::is_one() const {
@@ -72,20 +99,33 @@ std::vector<double> NumbersAlong::joints() const {
 
 double NumbersAlong::largest() const { return std::ranges::max(numbers_, {}, &RailNumber::value).value; }
 
+NumbersAlong::Part NumbersAlong::part_at(double parameter) const {
+  const auto next = std::ranges::upper_bound(numbers_, parameter, {}, &RailNumber::at);
+  const auto i = static_cast<std::size_t>(next - numbers_.begin()) - 1;
+  const double length = numbers_[i + 1].at - numbers_[i].at;
+  return {i, length, (parameter - numbers_[i].at) / length};
+}
+
+/// By polynomials of degree 7 with these slopes, whose second and third derivatives are 0 at the ends.
 double NumbersAlong::at(double parameter) const {
   if (parameter <= numbers_.front().at) return numbers_.front().value;
   if (parameter >= numbers_.back().at) return numbers_.back().value;
-  const auto next = std::ranges::upper_bound(numbers_, parameter, {}, &RailNumber::at);
-  const auto i = static_cast<std::size_t>(next - numbers_.begin()) - 1;
-  const RailNumber& a = numbers_[i];
-  const RailNumber& b = numbers_[i + 1];
-  const double length = b.at - a.at;
-  const double t = (parameter - a.at) / length;
+  const auto [i, length, t] = part_at(parameter);
   const double s = 1.0 - t;
-  const double value = a.value * s * s * (1.0 + 2.0 * t) + slopes_[i] * length * t * s * s +
-                       b.value * t * t * (3.0 - 2.0 * t) - slopes_[i + 1] * length * s * t * t;
-  const auto [low, high] = std::minmax(a.value, b.value);
+  const double a = numbers_[i].value;
+  const double b = numbers_[i + 1].value;
+  const double by_slopes = slopes_[i] * slope_part(t) - slopes_[i + 1] * slope_part(s);
+  const double value = a * value_part(t) + b * value_part(s) + length * by_slopes;
+  const auto [low, high] = std::minmax(a, b);
   return std::clamp(value, low, high);
+}
+
+double NumbersAlong::slope_inside(double parameter) const {
+  if (parameter <= numbers_.front().at || parameter >= numbers_.back().at) return 0.0;
+  const auto [i, length, t] = part_at(parameter);
+  const double s = 1.0 - t;
+  const double steep = 140.0 * t * t * t * s * s * s;
+  return steep * secant(numbers_[i], numbers_[i + 1]) + slopes_[i] * slope_part_slope(t) + slopes_[i + 1] * slope_part_slope(s);
 }
 
 double NumbersAlong::beyond(double parameter) const {
@@ -100,6 +140,16 @@ double NumbersAlong::beyond(double parameter) const {
     return numbers_.back().value + (parameter - domain_.end) * slopes_.back();
   }
   return at(parameter);
+}
+
+double NumbersAlong::slope_beyond(double parameter) const {
+  if (is_closed_) {
+    const double turns = std::floor((parameter - domain_.start) / domain_.length());
+    return slope_inside(parameter - turns * domain_.length());
+  }
+  if (parameter <= numbers_.front().at && numbers_.front().at == domain_.start) return slopes_.front();
+  if (parameter >= numbers_.back().at && numbers_.back().at == domain_.end) return slopes_.back();
+  return slope_inside(parameter);
 }
 
 }  // namespace splinecore

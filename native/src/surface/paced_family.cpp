@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 
 #include "fitted_together.hpp"
@@ -20,8 +21,8 @@ namespace {
 constexpr double kSame = 0x1p-36;
 constexpr double kSameWeight = 0x1p-32;
 
-/// Where the curves of a family are to meet the others: means of where they do, over the domain of the first.
-std::vector<double> wanted_crossings(const NetworkFamily& family) {
+/// Means of where the curves of a family meet the others, over the domain of the first.
+std::vector<double> mean_crossings(const NetworkFamily& family) {
   const Interval domain = family.curves[0].domain();
   std::vector<double> wanted(family.crossings[0].size(), 0.0);
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
@@ -31,8 +32,6 @@ std::vector<double> wanted_crossings(const NetworkFamily& family) {
     }
   }
   for (double& u : wanted) u = domain.start + u * domain.length();
-  wanted.front() = domain.start;
-  wanted.back() = domain.end;
   return wanted;
 }
 
@@ -45,21 +44,26 @@ NurbsCurve with_weights_times(const NurbsCurve& curve, double factor) {
 
 }  // namespace
 
-PacedFamily paced(const NetworkFamily& family) {
-  PacedFamily made{{}, {}, {}, wanted_crossings(family), family.is_closed, true};
-  const Interval domain = family.curves[0].domain();
+PacedFamily paced(const NetworkFamily& family, bool has_outermost) {
+  const std::size_t kept = family.order.front() < family.order.back() ? 0 : family.curves.size() - 1;
+  const Interval domain = family.curves[has_outermost ? kept : 0].domain();
+  PacedFamily made{{}, {}, {}, has_outermost ? family.crossings[kept] : mean_crossings(family), family.is_closed, {}};
+  made.wanted.front() = domain.start;
+  made.wanted.back() = domain.end;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     const NurbsCurve& curve = family.curves[i];
     const Interval own = curve.domain();
     made.curves.push_back(own == domain ? curve : with_domain(curve, domain));
     std::vector<double> at;
+    bool is_there = true;
     for (std::size_t j = 0; j < made.wanted.size(); ++j) {
       at.push_back(domain.start + (family.crossings[i][j] - own.start) / own.length() * domain.length());
-      made.is_there = made.is_there && std::abs(at[j] - made.wanted[j]) <= kSame * domain.length();
+      is_there = is_there && std::abs(at[j] - made.wanted[j]) <= kSame * domain.length();
     }
     at.front() = domain.start;
     at.back() = domain.end;
     made.given.push_back(std::move(at));
+    made.there.push_back(is_there);
   }
   made.own = made.curves;
   return made;
@@ -67,7 +71,7 @@ PacedFamily paced(const NetworkFamily& family) {
 
 std::vector<glm::dvec3> given_points(const PacedFamily& family, std::size_t i, std::span<const double> at) {
   std::vector<double> paces(at.begin(), at.end());
-  if (!family.is_there) {
+  if (!family.there[i]) {
     const Pacing pacing(family.wanted, family.given[i], family.is_closed);
     for (double& u : paces) u = pacing.at(u);
   }
@@ -99,33 +103,51 @@ bool reconcile_weights(PacedFamily& u, PacedFamily& v) {
   return true;
 }
 
+std::vector<double> paced_corners(const PacedFamily& family, std::size_t i) {
+  std::vector<double> found = corners_of({&family.own[i], 1});
+  if (family.there[i]) return found;
+  const Pacing pacing(family.wanted, family.given[i], family.is_closed);
+  for (double& corner : found) {
+    const auto crossing = std::ranges::find(family.given[i], corner);
+    if (crossing != family.given[i].end()) {
+      corner = family.wanted[static_cast<std::size_t>(crossing - family.given[i].begin())];
+      continue;
+    }
+    // Newton's method would need the derivative: halving finds the inverse.
+    double low = family.wanted.front();
+    double high = family.wanted.back();
+    for (int round = 0; round < 60; ++round) {
+      const double middle = 0.5 * (low + high);
+      (pacing.at(middle) < corner ? low : high) = middle;
+    }
+    corner = 0.5 * (low + high);
+  }
+  return found;
+}
+
 void repace(PacedFamily& family, double tolerance) {
+  std::vector<std::size_t> which;
   std::vector<Pacing> pacings;
-  for (const auto& given : family.given) pacings.emplace_back(family.wanted, given, family.is_closed);
   std::vector<double> corners;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
-    const Pacing back(family.given[i], family.wanted, family.is_closed);
-    for (const double corner : corners_of({&family.curves[i], 1})) {
-      // Newton's method would need the derivative: the inverse pace is near, and halving finds the rest.
-      double low = family.wanted.front();
-      double high = family.wanted.back();
-      for (int round = 0; round < 60; ++round) {
-        const double middle = 0.5 * (low + high);
-        (pacings[i].at(middle) < corner ? low : high) = middle;
-      }
-      corners.push_back(0.5 * (low + high));
-    }
+    family.curves[i] = family.own[i];
+    if (family.there[i] && !family.own[i].rational()) continue;
+    which.push_back(i);
+    pacings.emplace_back(family.wanted, family.given[i], family.is_closed);
+    std::ranges::copy(paced_corners(family, i), std::back_inserter(corners));
   }
+  if (which.empty()) return;
   std::ranges::sort(corners);
-  const FitTogether what{family.curves.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance};
-  family.curves = fitted_together(what, [&](std::size_t i, const KnotVector& knots) {
+  const FitTogether what{which.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance};
+  const auto fitted = fitted_together(what, [&](std::size_t k, const KnotVector& knots) {
     const auto function = [&](std::span<const double> at, std::span<glm::dvec3> points) {
       std::vector<double> paces;
-      for (const double u : at) paces.push_back(pacings[i].at(u));
-      evaluate(family.curves[i], paces, {&points.front().x, 3 * points.size()});
+      for (const double u : at) paces.push_back(pacings[k].at(u));
+      evaluate(family.own[which[k]], paces, {&points.front().x, 3 * points.size()});
     };
     return project(function, knots, true);
   }).value;
+  for (std::size_t k = 0; k < which.size(); ++k) family.curves[which[k]] = fitted[k];
 }
 
 }  // namespace splinecore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <glm/vec3.hpp>
 #include <span>
@@ -18,10 +19,14 @@ struct PacedFamily {
   std::vector<std::vector<double>> given;  ///< crossings of these
   std::vector<double> wanted;
   bool is_closed;
-  bool is_there;  ///< all given are as wanted
+  std::vector<bool> there;  ///< whether the given ones of a curve are as wanted
+
+  bool is_there() const { return std::ranges::find(there, false) == there.end(); }
 };
 
-PacedFamily paced(const NetworkFamily& family);
+/// Outermost curves keep their pace, the one that is given first where they are at different ones; without outermost ones, in
+/// between others that are closed, all go to their mean.
+PacedFamily paced(const NetworkFamily& family, bool has_outermost);
 
 /// Points of a curve as it is given, at parameters at which the family meets the others.
 std::vector<glm::dvec3> given_points(const PacedFamily& family, std::size_t i, std::span<const double> at);
@@ -32,8 +37,11 @@ inline std::size_t count_of_others(const PacedFamily& family) { return family.wa
 /// Multiplies the weights of curves so that they are one where curves meet. @returns whether that can be done
 bool reconcile_weights(PacedFamily& u, PacedFamily& v);
 
-/// The curves of a family as polynomials that meet the others where they are to.
+/// Those curves of a family that do not meet the others where they are to, or are rational, as polynomials that do.
 void repace(PacedFamily& family, double tolerance);
+
+/// Parameters, among those at which the family meets the others, of the corners of a curve.
+std::vector<double> paced_corners(const PacedFamily& family, std::size_t i);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

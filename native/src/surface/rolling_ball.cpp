@@ -73,15 +73,16 @@ glm::dvec2 inside(const NurbsPatch& patch, glm::dvec2 at) {
 
 }  // namespace
 
-RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, const NumbersAlong& radii)
-    : first_(widened(first, kBeyond * radii.largest())), second_(widened(second, kBeyond * radii.largest())), radii_(radii) {
+RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, const NumbersAlong& radii,
+                         const std::optional<RimPlaces>& rims)
+    : first_(widened(first, kBeyond * radii.largest())), second_(widened(second, kBeyond * radii.largest())), radii_(radii), rims_(rims) {
   constexpr double kFlat = 1e-6;
   constexpr int kSteps = 16;
   double seen_at = 0.0;
   for (int k = 0; k <= kSteps; ++k) {
     const double u = static_cast<double>(k) / kSteps;
     const TouchedPlace a = touched(first_, {u, first_.knot_vector(Axis::v).domain().start});
-    const TouchedPlace b = touched(second_, {u, second_.knot_vector(Axis::v).domain().start});
+    const TouchedPlace b = touched(second_, {rims_ ? rims_->on_second(u) : u, second_.knot_vector(Axis::v).domain().start});
     const double toward_b = glm::dot(a.normal, inwards(b));
     const double toward_a = glm::dot(b.normal, inwards(a));
     if (!(std::abs(toward_b) > kFlat && std::abs(toward_a) > kFlat)) continue;
@@ -101,24 +102,57 @@ RollingBall::RollingBall(const NurbsPatch& first, const NurbsPatch& second, cons
 }
 
 /// As if both were planes.
-Contact RollingBall::start(double u) const {
+Contact RollingBall::start(double u, bool is_of_first) const {
+  const double on_first = rims_ && !is_of_first ? rims_->on_first(u) : u;
+  const double on_second = rims_ && is_of_first ? rims_->on_second(u) : u;
   const double start_a = first_.knot_vector(Axis::v).domain().start;
   const double start_b = second_.knot_vector(Axis::v).domain().start;
-  const TouchedPlace a = touched(first_, inside(first_, {u, start_a}));
-  const TouchedPlace b = touched(second_, inside(second_, {u, start_b}));
-  const double radius = radii_.at(std::clamp(u, 0.0, 1.0));
+  const TouchedPlace a = touched(first_, inside(first_, {on_first, start_a}));
+  const TouchedPlace b = touched(second_, inside(second_, {on_second, start_b}));
+  const double radius = radii_.at(std::clamp(on_first, 0.0, 1.0));
   const double half = 0.5 * std::acos(std::clamp(glm::dot(inwards(a), inwards(b)), -1.0, 1.0));
   const double away = radius / std::tan(half);
   Contact contact{};
-  contact.on_first = inside(first_, {u, start_a + away / length_of(a.along_v)});
-  contact.on_second = inside(second_, {u, start_b + away / length_of(b.along_v)});
+  contact.on_first = inside(first_, {on_first, start_a + away / length_of(a.along_v)});
+  contact.on_second = inside(second_, {on_second, start_b + away / length_of(b.along_v)});
   return contact;
+}
+
+std::vector<double> RollingBall::between(double from, double to, std::span<const double> shares) const {
+  if (rims_) return rims_->between(from, to, shares);
+  std::vector<double> found(shares.begin(), shares.end());
+  for (double& share : found) share = std::lerp(from, to, share);
+  return found;
+}
+
+/// The ball touches what it leaves behind in the circle (p - c) c' = -r r' (Monge): its plane is off the centre where r changes.
+void RollingBall::tilt(Contact& contact, double u) const {
+  contact.circle_centre = contact.centre;
+  contact.circle_radius = contact.radius;
+  const double growth = radii_.slope_beyond(u);
+  if (growth == 0.0) return;
+  const TouchedPlace a = touched(first_, contact.on_first);
+  const TouchedPlace b = touched(second_, contact.on_second);
+  const double ra = side_of_first_ * contact.radius;
+  const double rb = side_of_second_ * contact.radius;
+  const glm::dvec3 across = a.along_v + ra * a.normal_v;
+  const glm::dvec3 onwards = a.along_u + ra * a.normal_u + growth * side_of_first_ * a.normal;
+  const glm::dmat3 jacobian(across, -(b.along_u + rb * b.normal_u), -(b.along_v + rb * b.normal_v));
+  const glm::dvec3 change = onwards - growth * side_of_second_ * b.normal;
+  const glm::dvec3 way = onwards - (glm::inverse(jacobian) * change).x * across;
+  const double square = glm::dot(way, way);
+  const double inside = 1.0 - growth * growth / square;
+  if (!(inside > 0.0)) {
+    throw InvalidShape("the radius changes so fast at " + text_of(u) + " of the edge that the ball there lies inside those beside it");
+  }
+  contact.circle_centre = contact.centre - contact.radius * growth / square * way;
+  contact.circle_radius = contact.radius * std::sqrt(inside);
 }
 
 Contact RollingBall::at(double u, bool is_of_first) const {
   constexpr int kRounds = 50;
   constexpr double kReached = 1e-14;
-  Contact contact = start(u);
+  Contact contact = start(u, is_of_first);
   const NurbsPatch& fixed = is_of_first ? first_ : second_;
   const NurbsPatch& other = is_of_first ? second_ : first_;
   glm::dvec2 on_fixed = is_of_first ? contact.on_first : contact.on_second;
@@ -140,8 +174,10 @@ Contact RollingBall::at(double u, bool is_of_first) const {
     contact.centre = centre - 0.5 * off;
     (is_of_first ? contact.on_first : contact.on_second) = on_fixed;
     (is_of_first ? contact.on_second : contact.on_first) = on_other;
-    if (left <= kReached) return contact;
-    const glm::dmat3 jacobian(a.along_v + ra * a.normal_v, -(b.along_u + rb * b.normal_u), -(b.along_v + rb * b.normal_v));
+    if (left <= kReached) break;
+    const double growth = is_of_first ? 0.0 : radii_.slope_beyond(on_other.x);
+    const glm::dvec3 grown = growth * (side_fixed * a.normal - side_other * b.normal);
+    const glm::dmat3 jacobian(a.along_v + ra * a.normal_v, grown - (b.along_u + rb * b.normal_u), -(b.along_v + rb * b.normal_v));
     const double determinant = glm::determinant(jacobian);
     if (determinant == 0.0 || !std::isfinite(determinant)) break;
     const glm::dvec3 step = glm::inverse(jacobian) * off;
@@ -149,7 +185,10 @@ Contact RollingBall::at(double u, bool is_of_first) const {
     on_other = inside(other, {on_other.x - step.y, on_other.y - step.z});
   }
   constexpr double kNear = 1e-11;
-  if (left <= kNear) return contact;
+  if (left <= kNear) {
+    if (is_of_first) tilt(contact, u);
+    return contact;
+  }
   throw InvalidShape("a ball of the radius does not touch both patches at " + text_of(u) + " of the edge: it is too large, or they end before");
 }
 

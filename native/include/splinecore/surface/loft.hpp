@@ -79,7 +79,10 @@ Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const Loft
 
 /// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbours, one
 /// span of degree continuity + continuity + 1 across. Row S21.
-/// @param is_aligned  closed sides begin beside each other: the second one's edge is that curve, begun elsewhere
+/// @param is_aligned  the second side is run through as the first one is, and closed ones are joined where they lie beside each
+///                    other. Both keep their beginnings, so that edges stay edges: where these do not lie beside each other, lines
+///                    across lead from one to the other over several spans, and the surface is near the untwisted one: by hundredths
+///                    of the radius of round sides
 /// @throws InvalidShape as loft() does; ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians,
 ///         or off the curvatures by more than a thousandth of the largest
 NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned = true);

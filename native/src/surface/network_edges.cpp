@@ -1,0 +1,112 @@
+#include "network_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/length.hpp"
+#include "base/quotient.hpp"
+#include "patch/lines.hpp"
+#include "span_places.hpp"
+#include "splinecore/base/pause.hpp"
+#include "splinecore/curve/compatible.hpp"
+#include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/evaluate.hpp"
+#include "splinecore/patch/ends.hpp"
+#include "splinecore/patch/isocurve.hpp"
+
+namespace splinecore {
+
+namespace {
+
+/// The sides along a family, the first curve first.
+std::array<Border, 2> borders_along(bool is_u) {
+  return is_u ? std::array{Border::v_start, Border::v_end} : std::array{Border::u_start, Border::u_end};
+}
+
+/// A curve on the knots of a side, which has all of its own.
+std::vector<glm::dvec4> on_knots_of(const NurbsCurve& side, const NurbsCurve& curve) {
+  const NurbsCurve found = curve.knot_vector() == side.knot_vector() ? curve : compatible(side, curve).second;
+  return {found.points().begin(), found.points().end()};
+}
+
+void write(std::vector<glm::dvec4>& net, const NurbsPatch& patch, Border border, const NurbsCurve& curve) {
+  const std::vector<glm::dvec4> row = on_knots_of(boundary(patch, border), curve);
+  const auto count_u = static_cast<std::size_t>(patch.count(Axis::u));
+  const auto count_v = static_cast<std::size_t>(patch.count(Axis::v));
+  if (row.size() != (axis_of(border) == Axis::u ? count_v : count_u)) return;  // knots that only rounding tells apart: as it is
+  const std::size_t step = axis_of(border) == Axis::u ? 1 : count_v;
+  const std::size_t first = !is_at_end(border) ? 0 : axis_of(border) == Axis::u ? (count_u - 1) * count_v : count_v - 1;
+  for (std::size_t i = 0; i < row.size(); ++i) net[first + i * step] = row[i];
+}
+
+/// The largest distance of a side from a curve over its domain.
+double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
+  constexpr int kInSpan = 6;
+  const Interval domain = side.domain();
+  std::vector<double> ends{domain.start, domain.end};
+  for (const NurbsCurve* const one : {&side, &curve}) {
+    for (const double knot : one->knot_vector().knots()) {
+      if (knot > domain.start && knot < domain.end) ends.push_back(knot);
+    }
+  }
+  const std::vector<double> places = places_of_spans(std::move(ends), kInSpan);
+  breathe(places.size());
+  std::vector<glm::dvec3> on_side(places.size());
+  std::vector<glm::dvec3> on_curve(places.size());
+  const EvaluateOptions options{.side = Side::left, .at_infinity = AtInfinity::nan};
+  evaluate(side, places, {&on_side.front().x, 3 * places.size()}, options);
+  evaluate(curve, places, {&on_curve.front().x, 3 * places.size()}, options);
+  double largest = 0.0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (is_finite(on_side[k]) && is_finite(on_curve[k])) largest = std::max(largest, distance_of(on_side[k], on_curve[k]));
+  }
+  return largest;
+}
+
+NurbsPatch begun_at(const NurbsPatch& patch, Axis axis, const NetworkFamily& family, const NetworkFamily& others) {
+  if (!family.is_closed || others.is_closed) return patch;
+  const std::size_t kept = family.order.front() < family.order.back() ? 0 : family.curves.size() - 1;
+  const double seam = family.seams[kept];
+  const Interval domain = patch.knot_vector(axis).domain();
+  if (seam == domain.start || seam == domain.end) return patch;
+  const double period = domain.length();
+  const NurbsPatch turned = along(patch, axis, [&](const NurbsCurve& line) { return with_seam_at(line, seam); });
+  const double before = seam >= domain.start + period ? seam : seam - period;
+  return with_domain(turned, axis, {before, before + period});
+}
+
+}  // namespace
+
+NurbsPatch with_outermost(const NurbsPatch& patch, const PacedFamily& u, const PacedFamily& v) {
+  std::vector<glm::dvec4> net(patch.points().begin(), patch.points().end());
+  for (const bool is_u : {false, true}) {
+    const PacedFamily& family = is_u ? u : v;
+    if ((is_u ? v : u).is_closed) continue;
+    write(net, patch, borders_along(is_u)[0], family.curves.front());
+    write(net, patch, borders_along(is_u)[1], family.curves.back());
+  }
+  return patch.with_points(std::move(net));
+}
+
+std::array<std::optional<double>, 4> distances_of_paces(const NurbsPatch& patch, const PacedFamily& u, const PacedFamily& v) {
+  std::array<std::optional<double>, 4> found;
+  for (const bool is_u : {false, true}) {
+    const PacedFamily& family = is_u ? u : v;
+    if ((is_u ? v : u).is_closed) continue;
+    const std::array<Border, 2> borders = borders_along(is_u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const NurbsCurve& given = i == 0 ? family.own.front() : family.own.back();
+      found[(is_u ? 2 : 0) + i] = distance_between(boundary(patch, borders[i]), given);
+    }
+  }
+  return found;
+}
+
+NurbsPatch begun_as_given(const NurbsPatch& patch, const NetworkCurves& curves) {
+  return begun_at(begun_at(patch, Axis::u, curves.u, curves.v), Axis::v, curves.v, curves.u);
+}
+
+}  // namespace splinecore
