@@ -99,16 +99,19 @@ bool turns_round(const NurbsPatch& patch, const NormalCell& cell, int halvings) 
 }  // namespace
 
 SurfaceBending bending_of(std::span<const NurbsPatch> patches) {
+  constexpr int kMostPlaces = 128;
+  constexpr int kLeastInSpan = 2;
   BendingSums sum;
   for (const NurbsPatch& patch : patches) {
     std::array<std::vector<double>, 2> at;
     std::array<std::vector<double>, 2> weights;
     for (const Axis axis : {Axis::u, Axis::v}) {
       const KnotVector& knots = patch.knot_vector(axis);
-      const GaussRule rule = gauss_legendre(knots.degree() + 1);
+      const int spans = static_cast<int>(knots.spans().size());
+      const GaussRule rule = gauss_legendre(std::clamp(kMostPlaces / spans, kLeastInSpan, knots.degree() + 1));
       const auto side = static_cast<std::size_t>(axis);
       at[side] = places_in(knots, rule.nodes);
-      for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      for (int i = 0; i < spans; ++i) {
         for (const double weight : rule.weights) weights[side].push_back(weight * knots.span_interval(i).length());
       }
     }
@@ -144,13 +147,10 @@ bool is_folded(const NurbsPatch& patch) {
   }
   const std::size_t width = at[1].size();
   std::vector<glm::dvec3> normals(at[0].size() * width);
-  std::vector<glm::dvec3> line(4 * width);
-  for (std::size_t i = 0; i < at[0].size(); ++i) {
-    breathe(line.size());
-    const std::vector<double> u(width, at[0][i]);
-    derivatives(patch, u, at[1], 1, std::span(&line.front().x, 3 * line.size()));
-    for (std::size_t k = 0; k < width; ++k) normals[i * width + k] = glm::cross(line[4 * k + 2], line[4 * k + 1]);
-  }
+  std::vector<glm::dvec3> points(normals.size());
+  breathe(normals.size());
+  evaluate_grid_with_normals(patch, at[0], at[1], std::span(&points.front().x, 3 * points.size()),
+                             std::span(&normals.front().x, 3 * normals.size()));
   for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
     if ((i + 1) % in_span[0] == 0) continue;
     for (std::size_t k = 0; k + 1 < width; ++k) {
