@@ -148,7 +148,7 @@ bool StarKnots::are_all(int spans) const {
 }
 
 bool StarKnots::are_most(int spans) const {
-  constexpr int kMostSpans = 64;
+  constexpr int kMostSpans = 256;
   return spans * (static_cast<int>(inner_.size()) + 1) >= kMostSpans;
 }
 
