@@ -114,10 +114,17 @@ struct SampledLines {
   std::vector<std::optional<double>> creases;  ///< behind each span
 
   SampledLines(const NurbsPatch& patch, Axis axis) {
+    constexpr int kMostPlaces = 128;
+    constexpr int kMostInSpan = 32;
+    constexpr double kFromEnds = 0.01;
     const KnotVector& knots = patch.knot_vector(axis);
-    const int count = knots.degree() + 3;
+    const int spans = static_cast<int>(knots.spans().size());
+    const int count = std::clamp(kMostPlaces / spans, knots.degree() + 3, kMostInSpan);
     std::vector<double> shares;
-    for (int k = 0; k < count; ++k) shares.push_back(0.5 * (1.0 - std::cos(std::numbers::pi * (k + 0.5) / count)));
+    for (int k = 0; k < count; ++k) {
+      const double share = 0.5 * (1.0 - std::cos(std::numbers::pi * k / (count - 1)));
+      shares.push_back(kFromEnds + (1.0 - 2.0 * kFromEnds) * share);
+    }
     at = places_in(knots, shares);
     in_span = shares.size();
     const bool is_u = axis == Axis::u;
@@ -135,6 +142,37 @@ struct SampledLines {
     return (place + 1) % in_span == 0 && place + 1 < at.size() ? creases[place / in_span] : std::nullopt;
   }
 };
+
+/// Among places of one span along u, and towards the next one.
+bool is_folded_along(const NurbsPatch& patch, const SampledLines& lines_u, const SampledLines& lines_v, std::size_t first) {
+  constexpr int kHalvings = 1;
+  constexpr double kAllNear = 0.9;
+  const std::vector<double>& v = lines_v.at;
+  const std::size_t end = std::min(first + lines_u.in_span + 1, lines_u.at.size());
+  const std::span<const double> u = std::span(lines_u.at).subspan(first, end - first);
+  std::vector<glm::dvec3> normals(u.size() * v.size());
+  std::vector<glm::dvec3> points(normals.size());
+  breathe(normals.size());
+  evaluate_grid_with_normals(patch, u, v, std::span(&points.front().x, 3 * points.size()),
+                             std::span(&normals.front().x, 3 * normals.size()));
+  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+    const std::optional<double> over_u = lines_u.crease_behind(first + i);
+    for (std::size_t k = 0; k + 1 < v.size(); ++k) {
+      const glm::dvec3* const n = &normals[i * v.size() + k];
+      const std::optional<double> over_v = lines_v.crease_behind(k);
+      if (over_u || over_v) {
+        if (over_u && glm::dot(n[0], n[v.size()]) < *over_u) return true;
+        if (over_v && glm::dot(n[0], n[1]) < *over_v) return true;
+        continue;
+      }
+      const double least = std::min({glm::dot(n[0], n[1]), glm::dot(n[0], n[v.size()]), glm::dot(n[0], n[v.size() + 1])});
+      if (least > kAllNear) continue;
+      const NormalCell cell{{u[i], u[i + 1]}, {v[k], v[k + 1]}, {n[0], n[v.size()], n[v.size() + 1], n[1]}};
+      if (turns_round(patch, cell, kHalvings)) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -174,28 +212,10 @@ SurfaceBending bending_of(std::span<const NurbsPatch> patches) {
 }
 
 bool is_folded(const NurbsPatch& patch) {
-  constexpr int kHalvings = 6;
-  const std::array<SampledLines, 2> lines{SampledLines(patch, Axis::u), SampledLines(patch, Axis::v)};
-  const std::vector<double>& u = lines[0].at;
-  const std::vector<double>& v = lines[1].at;
-  std::vector<glm::dvec3> normals(u.size() * v.size());
-  std::vector<glm::dvec3> points(normals.size());
-  breathe(normals.size());
-  evaluate_grid_with_normals(patch, u, v, std::span(&points.front().x, 3 * points.size()),
-                             std::span(&normals.front().x, 3 * normals.size()));
-  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
-    for (std::size_t k = 0; k + 1 < v.size(); ++k) {
-      const glm::dvec3* const n = &normals[i * v.size() + k];
-      const NormalCell cell{{u[i], u[i + 1]}, {v[k], v[k + 1]}, {n[0], n[v.size()], n[v.size() + 1], n[1]}};
-      const std::optional<double> over_u = lines[0].crease_behind(i);
-      const std::optional<double> over_v = lines[1].crease_behind(k);
-      if (over_u || over_v) {
-        if (over_u && glm::dot(n[0], n[v.size()]) < *over_u) return true;
-        if (over_v && glm::dot(n[0], n[1]) < *over_v) return true;
-      } else if (turns_round(patch, cell, kHalvings)) {
-        return true;
-      }
-    }
+  const SampledLines u(patch, Axis::u);
+  const SampledLines v(patch, Axis::v);
+  for (std::size_t first = 0; first < u.at.size(); first += u.in_span) {
+    if (is_folded_along(patch, u, v, first)) return true;
   }
   return false;
 }
