@@ -165,7 +165,8 @@ bool is_folded_along(const NurbsPatch& patch, const SampledLines& lines_u, const
         if (over_v && glm::dot(n[0], n[1]) < *over_v) return true;
         continue;
       }
-      const double least = std::min({glm::dot(n[0], n[1]), glm::dot(n[0], n[v.size()]), glm::dot(n[0], n[v.size() + 1])});
+      const double over_both = glm::dot(n[0], n[v.size() + 1]);
+      const double least = std::min({glm::dot(n[0], n[1]), glm::dot(n[0], n[v.size()]), over_both});
       if (least > kAllNear) continue;
       const NormalCell cell{{u[i], u[i + 1]}, {v[k], v[k + 1]}, {n[0], n[v.size()], n[v.size() + 1], n[1]}};
       if (turns_round(patch, cell, kHalvings)) return true;
