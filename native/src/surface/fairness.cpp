@@ -6,12 +6,16 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "base/length.hpp"
 #include "basis/gauss_legendre.hpp"
+#include "basis/selection.hpp"
+#include "kink.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/patch/evaluate.hpp"
+#include "splinecore/patch/isocurve.hpp"
 
 namespace splinecore {
 
@@ -96,19 +100,97 @@ bool turns_round(const NurbsPatch& patch, const NormalCell& cell, int halvings) 
   return std::ranges::any_of(parts, [&](const NormalCell& part) { return turns_round(patch, part, halvings - 1); });
 }
 
+/// The least cosine between normals beside a corner of borders: a crease where these turn round as sharply is no fold.
+double crease_limit(const NurbsCurve& one, const NurbsCurve& other, double knot) {
+  constexpr double kSharper = 1.25;
+  const double turn = kSharper * std::max(kink_angle(one, knot), kink_angle(other, knot));
+  return std::cos(std::clamp(turn, 0.5 * std::numbers::pi, std::numbers::pi));
+}
+
+/// Places of one direction in every span, closer towards its ends.
+struct SampledLines {
+  std::vector<double> at;
+  std::size_t in_span;
+  std::vector<std::optional<double>> creases;  ///< behind each span
+
+  SampledLines(const NurbsPatch& patch, Axis axis) {
+    constexpr int kMostPlaces = 128;
+    constexpr int kMostInSpan = 32;
+    constexpr double kFromEnds = 0.01;
+    const KnotVector& knots = patch.knot_vector(axis);
+    const int spans = static_cast<int>(knots.spans().size());
+    const int count = std::clamp(kMostPlaces / spans, knots.degree() + 3, kMostInSpan);
+    std::vector<double> shares;
+    for (int k = 0; k < count; ++k) {
+      const double share = 0.5 * (1.0 - std::cos(std::numbers::pi * k / (count - 1)));
+      shares.push_back(kFromEnds + (1.0 - 2.0 * kFromEnds) * share);
+    }
+    at = places_in(knots, shares);
+    in_span = shares.size();
+    const bool is_u = axis == Axis::u;
+    const NurbsCurve one = boundary(patch, is_u ? Border::v_start : Border::u_start);
+    const NurbsCurve other = boundary(patch, is_u ? Border::v_end : Border::u_end);
+    for (int i = 0; i + 1 < static_cast<int>(knots.spans().size()); ++i) {
+      const double knot = knots.span_interval(i).end;
+      const bool is_smooth = multiplicity(knots, knot) < knots.degree();
+      creases.push_back(is_smooth ? std::nullopt : std::optional(crease_limit(one, other, knot)));
+    }
+  }
+
+  /// Where a crease follows a place: the least cosine over it.
+  std::optional<double> crease_behind(std::size_t place) const {
+    return (place + 1) % in_span == 0 && place + 1 < at.size() ? creases[place / in_span] : std::nullopt;
+  }
+};
+
+/// Among places of one span along u, and towards the next one.
+bool is_folded_along(const NurbsPatch& patch, const SampledLines& lines_u, const SampledLines& lines_v, std::size_t first) {
+  constexpr int kHalvings = 1;
+  constexpr double kAllNear = 0.9;
+  const std::vector<double>& v = lines_v.at;
+  const std::size_t end = std::min(first + lines_u.in_span + 1, lines_u.at.size());
+  const std::span<const double> u = std::span(lines_u.at).subspan(first, end - first);
+  std::vector<glm::dvec3> normals(u.size() * v.size());
+  std::vector<glm::dvec3> points(normals.size());
+  breathe(normals.size());
+  evaluate_grid_with_normals(patch, u, v, std::span(&points.front().x, 3 * points.size()),
+                             std::span(&normals.front().x, 3 * normals.size()));
+  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+    const std::optional<double> over_u = lines_u.crease_behind(first + i);
+    for (std::size_t k = 0; k + 1 < v.size(); ++k) {
+      const glm::dvec3* const n = &normals[i * v.size() + k];
+      const std::optional<double> over_v = lines_v.crease_behind(k);
+      if (over_u || over_v) {
+        if (over_u && glm::dot(n[0], n[v.size()]) < *over_u) return true;
+        if (over_v && glm::dot(n[0], n[1]) < *over_v) return true;
+        continue;
+      }
+      const double over_both = glm::dot(n[0], n[v.size() + 1]);
+      const double least = std::min({glm::dot(n[0], n[1]), glm::dot(n[0], n[v.size()]), over_both});
+      if (least > kAllNear) continue;
+      const NormalCell cell{{u[i], u[i + 1]}, {v[k], v[k + 1]}, {n[0], n[v.size()], n[v.size() + 1], n[1]}};
+      if (turns_round(patch, cell, kHalvings)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 SurfaceBending bending_of(std::span<const NurbsPatch> patches) {
+  constexpr int kMostPlaces = 128;
+  constexpr int kLeastInSpan = 2;
   BendingSums sum;
   for (const NurbsPatch& patch : patches) {
     std::array<std::vector<double>, 2> at;
     std::array<std::vector<double>, 2> weights;
     for (const Axis axis : {Axis::u, Axis::v}) {
       const KnotVector& knots = patch.knot_vector(axis);
-      const GaussRule rule = gauss_legendre(knots.degree() + 1);
+      const int spans = static_cast<int>(knots.spans().size());
+      const GaussRule rule = gauss_legendre(std::clamp(kMostPlaces / spans, kLeastInSpan, knots.degree() + 1));
       const auto side = static_cast<std::size_t>(axis);
       at[side] = places_in(knots, rule.nodes);
-      for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
+      for (int i = 0; i < spans; ++i) {
         for (const double weight : rule.weights) weights[side].push_back(weight * knots.span_interval(i).length());
       }
     }
@@ -131,34 +213,10 @@ SurfaceBending bending_of(std::span<const NurbsPatch> patches) {
 }
 
 bool is_folded(const NurbsPatch& patch) {
-  constexpr int kHalvings = 6;
-  std::array<std::vector<double>, 2> at;
-  std::array<std::size_t, 2> in_span{};
-  for (const Axis axis : {Axis::u, Axis::v}) {
-    const KnotVector& knots = patch.knot_vector(axis);
-    const int count = knots.degree() + 3;
-    std::vector<double> shares;
-    for (int k = 0; k < count; ++k) shares.push_back(0.5 * (1.0 - std::cos(std::numbers::pi * (k + 0.5) / count)));
-    at[static_cast<std::size_t>(axis)] = places_in(knots, shares);
-    in_span[static_cast<std::size_t>(axis)] = shares.size();
-  }
-  const std::size_t width = at[1].size();
-  std::vector<glm::dvec3> normals(at[0].size() * width);
-  std::vector<glm::dvec3> line(4 * width);
-  for (std::size_t i = 0; i < at[0].size(); ++i) {
-    breathe(line.size());
-    const std::vector<double> u(width, at[0][i]);
-    derivatives(patch, u, at[1], 1, std::span(&line.front().x, 3 * line.size()));
-    for (std::size_t k = 0; k < width; ++k) normals[i * width + k] = glm::cross(line[4 * k + 2], line[4 * k + 1]);
-  }
-  for (std::size_t i = 0; i + 1 < at[0].size(); ++i) {
-    if ((i + 1) % in_span[0] == 0) continue;
-    for (std::size_t k = 0; k + 1 < width; ++k) {
-      if ((k + 1) % in_span[1] == 0) continue;
-      const glm::dvec3* const n = &normals[i * width + k];
-      const NormalCell cell{{at[0][i], at[0][i + 1]}, {at[1][k], at[1][k + 1]}, {n[0], n[width], n[width + 1], n[1]}};
-      if (turns_round(patch, cell, kHalvings)) return true;
-    }
+  const SampledLines u(patch, Axis::u);
+  const SampledLines v(patch, Axis::v);
+  for (std::size_t first = 0; first < u.at.size(); first += u.in_span) {
+    if (is_folded_along(patch, u, v, first)) return true;
   }
   return false;
 }

@@ -132,7 +132,7 @@ Filling round_filled(const Hole& hole, const FillLimits& limits) {
   return is_folded(filling) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
 }
 
-/// Patches round a point, or one; with the most spans where the limits are not met.
+/// Patches round a point, or one; with the most spans where the limits are not met. None where the sides are not reached.
 Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& limits) {
   const StarKnots knots(hole);
   for (int spans = 1;; spans *= 2) {
@@ -141,6 +141,7 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
     if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
+    if (filling.gap > limits.gap) return filling;
     filling.patches = solved(hole, claimed, guide);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;
@@ -177,7 +178,8 @@ Filling fairer(FillCandidate plain, FillCandidate guided, const FillLimits& limi
 /// Patches round a point, that go by a guide where that bends less.
 Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits& limits) {
   FillCandidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
-  const std::optional<HoleGuide> guide = HoleGuide::of(guided_hole);
+  const bool is_reached = plain.filling.gap <= limits.gap;
+  const std::optional<HoleGuide> guide = is_reached ? HoleGuide::of(guided_hole) : std::nullopt;
   if (!guide) return std::move(plain.filling);
   const std::optional<SurfaceBending> least = guided_bending(guided_hole, *guide);
   if (!plain.is_folded && (!least || is_fair(plain.bending, *least))) return std::move(plain.filling);

@@ -125,14 +125,14 @@ void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form&
   const auto& [of_order] = products_of(star.knots);
   const auto degree = static_cast<std::size_t>(star.knots.degree());
   const std::size_t width = star.width();
-  const auto near = [&](std::size_t a, std::size_t b) { return a <= b + degree && b <= a + degree; };
+  const auto first = [&](std::size_t a) { return a - std::min(a, degree); };
+  const auto behind = [&](std::size_t a) { return std::min(a + degree + 1, width); };
   for (std::size_t k = 0; k < star.count; ++k) {
-    breathe(width * width * width * degree);
+    breathe(width * width * degree * degree);
     for (std::size_t i = 0; i < width; ++i) {
       for (std::size_t j = 0; j < width; ++j) {
-        for (std::size_t m = 0; m < width; ++m) {
-          for (std::size_t n = 0; n < width && near(i, m); ++n) {
-            if (!near(j, n)) continue;
+        for (std::size_t m = first(i); m < behind(i); ++m) {
+          for (std::size_t n = first(j); n < behind(j); ++n) {
             const auto product = [&](int u, int v) {
               return of_order[u](static_cast<Index>(i), static_cast<Index>(m)) * of_order[v](static_cast<Index>(j), static_cast<Index>(n));
             };
@@ -238,6 +238,20 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
   return points;
 }
 
+/// Which points conditions along spokes are of, by number.
+std::vector<bool> points_at_spokes(const Star& star) {
+  const std::size_t last = star.width() - 1;
+  std::vector<bool> found(star.size());
+  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) {
+    for (std::size_t j = 0; j <= last; ++j) {
+      for (const std::size_t number : {star.at(k, last, j), star.at(k, last - 1, j), star.at((k + 1) % star.count, j, last - 1)}) {
+        found[number] = true;
+      }
+    }
+  }
+  return found;
+}
+
 /// All points, those found and those given.
 std::vector<glm::dvec3> points_by_number(const Star& star, const std::vector<std::optional<glm::dvec3>>& given, const Unknowns& unknowns,
                                          const Eigen::MatrixXd& found) {
@@ -277,9 +291,11 @@ std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::opt
 
 std::vector<glm::dvec3> nearest_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,
                                      const std::vector<glm::dvec3>& points) {
-  std::vector<std::optional<glm::dvec3>> changes = given;
+  const std::vector<bool> is_at_spoke = points_at_spokes(star);
+  std::vector<std::optional<glm::dvec3>> changes(star.size());
   for (std::size_t number = 0; number < star.size(); ++number) {
     if (given[number]) changes[number] = *given[number] - points[number];
+    if (!given[number] && !is_at_spoke[number]) changes[number] = glm::dvec3(0.0);
   }
   const Unknowns sought(star, changes);
   Form form(sought);

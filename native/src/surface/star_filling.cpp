@@ -53,6 +53,20 @@ struct WideKnots {
   std::vector<double> left_out;
 };
 
+/// Sorts knots into those that are kept and those that are left out; none where all are kept.
+/// @param is_kept  of a knot inside, and those kept before it
+template <class IsKept>
+std::optional<WideKnots> with_kept(const KnotVector& knots, const IsKept& is_kept) {
+  const auto all = knots.knots();
+  const auto order = static_cast<std::size_t>(knots.degree()) + 1;
+  std::vector<double> kept(all.begin(), all.begin() + order);
+  std::vector<double> left_out;
+  for (std::size_t i = order; i + order < all.size(); ++i) (is_kept(all[i], kept) ? kept : left_out).push_back(all[i]);
+  if (left_out.empty()) return {};
+  kept.insert(kept.end(), all.end() - order, all.end());
+  return WideKnots{KnotVector::make(knots.degree(), std::move(kept)), std::move(left_out)};
+}
+
 /// Without knots that make a span much shorter than others, or a crease, of which how patches bend would say nothing; none where
 /// none do.
 std::optional<WideKnots> without_short_spans(const KnotVector& knots) {
@@ -60,18 +74,24 @@ std::optional<WideKnots> without_short_spans(const KnotVector& knots) {
   double longest = 0.0;
   for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) longest = std::max(longest, knots.span_interval(i).length());
   const double least = kShort * longest;
-  const auto all = knots.knots();
-  const auto order = static_cast<std::size_t>(knots.degree()) + 1;
-  std::vector<double> kept(all.begin(), all.begin() + order);
-  std::vector<double> left_out;
-  for (std::size_t i = order; i + order < all.size(); ++i) {
-    const auto copies = std::ranges::count(kept, all[i]);
-    const bool is_apart = copies > 0 ? copies < knots.degree() - 1 : all[i] - kept.back() >= least && all.back() - all[i] >= least;
-    (is_apart ? kept : left_out).push_back(all[i]);
-  }
-  if (left_out.empty()) return {};
-  kept.insert(kept.end(), all.end() - order, all.end());
-  return WideKnots{KnotVector::make(knots.degree(), std::move(kept)), std::move(left_out)};
+  return with_kept(knots, [&](double knot, const std::vector<double>& kept) {
+    const auto copies = std::ranges::count(kept, knot);
+    return copies > 0 ? copies < knots.degree() - 1 : knot - kept.back() >= least && knots.knots().back() - knot >= least;
+  });
+}
+
+/// Of many knots every other one from both ends, as often as it is there; none where they are few enough to solve a star on them.
+std::optional<WideKnots> of_many(const KnotVector& knots) {
+  constexpr int kMany = 28;
+  if (knots.count() <= kMany) return {};
+  const int inner = static_cast<int>(knots.spans().size()) - 1;
+  int number = -1;
+  double at = knots.domain().start;
+  return with_kept(knots, [&](double knot, const auto&) {
+    if (knot != at) ++number;
+    at = knot;
+    return std::min(number, inner - 1 - number) % 2 != 0;
+  });
 }
 
 /// Control points, by number, of patches of a star on fewer knots.
@@ -86,13 +106,28 @@ std::vector<glm::dvec3> refined_points(const Star& star, const std::vector<Nurbs
   return points;
 }
 
+/// Lets sides that are there only nearly go straight on where spokes begin, as those of all knots do: there they are two parts.
+void straighten_at_spokes(ClaimedStar& claimed) {
+  const Star& star = claimed.star;
+  const std::size_t last = star.width() - 1;
+  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) {
+    for (std::size_t row = 0; row < last; ++row) {
+      auto& spoke = claimed.points[star.at(k, last, row)];
+      const auto& here = claimed.points[star.at(k, last - 1, row)];
+      const auto& there = claimed.points[star.at((k + 1) % star.count, row, last - 1)];
+      if (!spoke || !here || !there) break;
+      spoke = 0.5 * (*here + *there);
+    }
+  }
+}
+
 }  // namespace
 
 StarKnots::StarKnots(const Hole& hole) : degree_(hole.continuity() == 2 ? 7 : 5), inner_(side_knots(hole, star_parts(hole), degree_)) {
-  constexpr int kMostCopies = 40;
-  int copies = 0;
-  for (const SideKnot& knot : inner_) copies += knot.copies;
-  if (copies > kMostCopies) inner_.clear();
+  constexpr std::size_t kMostPoints = 0x1p21;
+  std::size_t width = static_cast<std::size_t>(degree_) + 1;
+  for (const SideKnot& knot : inner_) width += static_cast<std::size_t>(knot.copies);
+  if (hole.sides.size() * width * width > kMostPoints) inner_.clear();
 }
 
 KnotVector StarKnots::with(int spans) const {
@@ -113,7 +148,7 @@ bool StarKnots::are_all(int spans) const {
 }
 
 bool StarKnots::are_most(int spans) const {
-  constexpr int kMostSpans = 64;
+  constexpr int kMostSpans = 256;
   return spans * (static_cast<int>(inner_.size()) + 1) >= kMostSpans;
 }
 
@@ -132,8 +167,12 @@ ClaimedStar claimed_star(const Hole& hole, const KnotVector& knots) {
 
 std::vector<NurbsPatch> solved(const Hole& hole, const ClaimedStar& claimed, const HoleGuide* guide) {
   const Star& star = claimed.star;
-  if (const auto wide = without_short_spans(star.knots)) {
-    const std::vector<NurbsPatch> rough = solved(hole, claimed_star(hole, wide->knots), guide);
+  std::optional<WideKnots> wide = without_short_spans(star.knots);
+  if (!wide) wide = of_many(star.knots);
+  if (wide) {
+    ClaimedStar wider = claimed_star(hole, wide->knots);
+    straighten_at_spokes(wider);
+    const std::vector<NurbsPatch> rough = solved(hole, wider, guide);
     return patches_of(star, nearest_star(star, claimed.points, refined_points(star, rough, wide->left_out)));
   }
   std::vector<glm::dvec3> expected;

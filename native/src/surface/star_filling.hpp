@@ -32,7 +32,7 @@ class StarKnots {
 
  private:
   int degree_;
-  std::vector<SideKnot> inner_;  ///< of all sides; none where they are more than 40 with their copies
+  std::vector<SideKnot> inner_;  ///< of all sides; none where patches had more than 2^21 control points for them
 };
 
 /// Patches that fill a hole, and what of their control points its sides decide.
