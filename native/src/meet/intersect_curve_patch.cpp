@@ -6,6 +6,7 @@
 #include "base/sort_by.hpp"
 #include "curve_patch_pairs.hpp"
 #include "near_space.hpp"
+#include "patch_foot.hpp"
 #include "plane_patch.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "zero_between.hpp"
