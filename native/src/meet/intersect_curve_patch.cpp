@@ -238,7 +238,9 @@ PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patc
 }
 
 PatchIntersections intersections(const NurbsCurve& curve, const Plane& plane, std::optional<double> tolerance) {
-  return PierceOutcome(curve, plane_about(curve.points(), plane), tolerance).found();
+  // How large the part of the plane is that is looked at decides nothing.
+  const double within = tolerance.value_or(default_place_tolerance(curve.points()));
+  return PierceOutcome(curve, plane_about(curve.points(), plane), within).found();
 }
 
 }  // namespace splinecore
