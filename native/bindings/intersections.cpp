@@ -92,7 +92,8 @@ void bind_with_patches(const CurveClasses& cls) {
           "Where the curve and a patch, of any kind, are at most tolerance apart, as PatchIntersections: places where\n"
           "their distance is least, ends of the curve included, in the order of its parameters, and stretches that lie\n"
           "on the patch. tolerance is a length, by default 2^-33 of how far control points of both reach from the middle\n"
-          "of them all.\n\n"
+          "of them all. Where the patch crosses itself there is a place for each of its sheets; a stretch over the end\n"
+          "of a closed curve is one, and its end a turn further.\n\n"
           "By halving, as intersections(): a part goes through a part of the patch once at most where no tangent is\n"
           "parallel to a tangent plane. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
           "InvalidShape if the tolerance is below 0, or where more than 2^20 pairs of parts are within it.");

@@ -44,7 +44,7 @@ struct PatchIntersection {
 
 struct PatchIntersections {
   std::vector<PatchIntersection> places;  ///< in the order of the parameters of the curve
-  std::vector<Interval> overlaps;         ///< stretches of the curve that lie on the patch, likewise
+  std::vector<Interval> overlaps;         ///< stretches of the curve that lie on the patch, likewise; none overlap
 };
 
 /// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
@@ -65,7 +65,8 @@ CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
 
 /// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve
-/// included, and stretches that lie on the patch; by halving, as of two curves. S18.
+/// included, and stretches that lie on the patch; by halving, as of two curves. Where the patch crosses itself there is a
+/// place for each of its sheets; a stretch over the end of a closed curve is one, and its end a turn further. S18.
 /// @param tolerance  none: 2^-33 of how far control points of both reach from the middle of them all
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs.
 PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance = {});
