@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/sort_by.hpp"
@@ -194,6 +195,7 @@ class Gathering {
 
   /// Clusters that hang together and go opposite ways are two only where both are overlaps.
   void merge() {
+    are_overlaps_.assign(members_.size(), {});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       for (const Link& link : links_[i]) {
         const std::size_t into = cluster_[i];
@@ -206,12 +208,15 @@ class Gathering {
           members_[into].push_back(member);
         }
         members_[from].clear();
+        are_overlaps_[into].reset();
       }
     }
   }
 
-  bool is_overlap(std::size_t cluster) const {
-    return splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+  bool is_overlap(std::size_t cluster) {
+    std::optional<bool>& known = are_overlaps_[cluster];
+    if (!known) known = splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+    return *known;
   }
 
   CurveCluster made_of(const std::vector<std::size_t>& members) const {
@@ -233,6 +238,7 @@ class Gathering {
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
   std::vector<std::vector<std::size_t>> members_;  ///< of clusters
+  std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
   std::vector<Turns> turns_;                       ///< of nodes in their clusters
 };
