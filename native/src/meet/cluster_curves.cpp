@@ -150,8 +150,8 @@ class Gathering {
     return are_joined(curves_, from, to, tolerance_);
   }
 
-  /// Whether stretches that go the same way have places of the second curve in common, too, where they have those of the
-  /// first one: where a curve comes by a place more than once they may not.
+  /// Whether stretches that go the same way have places of the second curve in common, too, where they have those of
+  /// the first one: where a curve comes by a place more than once they may not.
   bool do_go_on(const Node& one, const Node& other, const Turns& by) const {
     const Interval other_a = moved(other.a, by.a);
     const Interval both{std::max(one.a.start, other_a.start), std::min(one.a.end, other_a.end)};

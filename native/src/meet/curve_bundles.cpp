@@ -51,8 +51,8 @@ CurveBundles::CurveBundles(std::span<const CurvePart> parts) : of_parts_(parts.s
   points_ = {};
 }
 
-/// The first direction along parts, whichever way these go, the second to where they lie beside each other; of one part to
-/// where it bends.
+/// The first direction along parts, whichever way these go, the second to where they lie beside each other; of one part
+/// to where it bends.
 std::array<glm::dvec3, 3> CurveBundles::axes_of(std::span<const std::size_t> some) const {
   glm::dvec3 sum(0.0);
   for (const std::size_t i : some) sum += glm::dot(sum, hulls_[i].way) < 0.0 ? -hulls_[i].way : hulls_[i].way;
@@ -121,9 +121,9 @@ std::size_t CurveBundles::count_near(const CurveBundle& box, double distance) co
   const double thickness = kThin * std::max(box.half.y, box.half.z);
   const auto is_thin = [&](const CurveBundle& bundle) {
     const auto reach = [&](const glm::dvec3& axis) {
-      double sum = 0.0;
-      for (int j = 0; j < 3; ++j) sum += std::abs(glm::dot(axis, bundle.axes[static_cast<std::size_t>(j)])) * bundle.half[j];
-      return sum;
+      const auto& [x, y, z] = bundle.axes;
+      const glm::dvec3 slopes(glm::dot(axis, x), glm::dot(axis, y), glm::dot(axis, z));
+      return glm::dot(glm::abs(slopes), bundle.half);
     };
     return std::max(reach(box.axes[1]), reach(box.axes[2])) <= thickness;
   };

@@ -27,10 +27,12 @@ constexpr std::size_t kMostPairs = std::size_t{1} << 22;
 constexpr std::size_t kMostOfPiece = 512;
 constexpr std::size_t kMostStretches = std::size_t{1} << 19;
 
+std::size_t most_pairs_of(std::size_t pieces) { return std::max(kMostPairs, kMostOfPiece * pieces); }
+
 class PairSearch {
  public:
   PairSearch(const CurvePieces& a, const CurvePieces& b, double tolerance)
-      : curves_{a, b}, tolerance_(tolerance), most_pairs_(std::max(kMostPairs, kMostOfPiece * (a.size() + b.size()))),
+      : curves_{a, b}, tolerance_(tolerance), most_pairs_(most_pairs_of(a.size() + (&a == &b ? 0 : b.size()))),
         is_one_(&a == &b), parts_a_(a) {
     if (is_one_) {
       halve_crowded(parts_a_, tolerance_);
