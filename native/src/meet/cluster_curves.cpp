@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/sort_by.hpp"
@@ -136,7 +137,7 @@ class Gathering {
 
   /// Whether findings whose surroundings touch are one: stretches are, crossings where the curves are near all the way.
   bool do_meet(const Node& one, const Node& other, const Turns& by) const {
-    if (one.stretch && other.stretch) return true;
+    if (one.stretch && other.stretch) return one.way() * other.way() <= 0 || do_go_on(one, other, by);
     const auto nearest = [](const Interval& in, const Interval& to) {
       return std::clamp(to.start, in.start, in.end);
     };
@@ -147,6 +148,29 @@ class Gathering {
     constexpr double kSame = 0x1p-40;
     if (std::max(std::abs(from[0] - to[0]), std::abs(from[1] - to[1])) <= kSame) return true;
     return are_joined(curves_, from, to, tolerance_);
+  }
+
+  /// Whether stretches that go the same way have places of the second curve in common, too, where they have those of
+  /// the first one: where a curve comes by a place more than once they may not.
+  bool do_go_on(const Node& one, const Node& other, const Turns& by) const {
+    const Interval other_a = moved(other.a, by.a);
+    const Interval both{std::max(one.a.start, other_a.start), std::min(one.a.end, other_a.end)};
+    const auto place_in = [&](const Interval& own) {
+      return both.start <= both.end ? both.middle() : std::clamp(both.start, own.start, own.end);
+    };
+    const double of_one = beside(one, place_in(one.a));
+    const double of_other = beside(other, place_in(other_a) - by.a) + by.b;
+    const auto margin = [](const Node& node) {
+      return std::max(node.b.start - node.wide_b.start, node.wide_b.end - node.b.end);
+    };
+    return std::abs(of_one - of_other) <= margin(one) + margin(other);
+  }
+
+  /// The place of the second curve beside one of the first one in a stretch.
+  double beside(const Node& node, double place) const {
+    const CurveStretch& on = *node.stretch;
+    const double t = std::clamp(place - curves_.a.place({on.piece_a, 0.0}), on.a.start, on.a.end);
+    return curves_.b.place({on.piece_b, foot_of(curves_.b, on.piece_b, on.b, curves_.a.at({on.piece_a, t}).point)});
   }
 
   /// A new cluster of a finding and all that hang together with it, and do not go the other way.
@@ -171,6 +195,7 @@ class Gathering {
 
   /// Clusters that hang together and go opposite ways are two only where both are overlaps.
   void merge() {
+    are_overlaps_.assign(members_.size(), {});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       for (const Link& link : links_[i]) {
         const std::size_t into = cluster_[i];
@@ -183,12 +208,15 @@ class Gathering {
           members_[into].push_back(member);
         }
         members_[from].clear();
+        are_overlaps_[into].reset();
       }
     }
   }
 
-  bool is_overlap(std::size_t cluster) const {
-    return splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+  bool is_overlap(std::size_t cluster) {
+    std::optional<bool>& known = are_overlaps_[cluster];
+    if (!known) known = splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+    return *known;
   }
 
   CurveCluster made_of(const std::vector<std::size_t>& members) const {
@@ -210,6 +238,7 @@ class Gathering {
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
   std::vector<std::vector<std::size_t>> members_;  ///< of clusters
+  std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
   std::vector<Turns> turns_;                       ///< of nodes in their clusters
 };

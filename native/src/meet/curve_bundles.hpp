@@ -30,11 +30,27 @@ class CurveBundles {
   explicit CurveBundles(std::span<const CurvePart> parts);
 
   const CurveBundle& operator[](std::size_t i) const noexcept { return bundles_[i]; }
+  const CurveBundle& of_part(std::size_t part) const noexcept { return bundles_[of_parts_[part]]; }
+
+  /// About how many parts are within a distance of a box: those in bundles as thin as it are counted together.
+  std::size_t count_near(const CurveBundle& box, double distance) const;
 
  private:
-  std::size_t add(std::span<const CurvePart> parts, std::span<std::size_t> some);
+  struct Hull {
+    bool is_boxed;
+    glm::dvec3 middle;
+    glm::dvec3 way;
+    std::size_t first;  ///< of its points
+    std::size_t end;
+  };
+  std::array<glm::dvec3, 3> axes_of(std::span<const std::size_t> some) const;
+  std::size_t add(std::span<std::size_t> some);
+
+  std::vector<Hull> hulls_;  ///< of the parts, while they are put together
+  std::vector<glm::dvec3> points_;
 
   std::vector<CurveBundle> bundles_;  ///< the first one has all
+  std::vector<std::size_t> of_parts_;
 };
 
 /// Whether boxes are farther apart than that, as seen along one of their axes.

@@ -119,10 +119,12 @@ SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
 }
 
-/// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too.
+/// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too. What is much of
+/// one of the curves is one though it is not so near, as where weights leave but few digits.
 bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
   // Curves that only touch are nearly a tolerance apart along most of a cluster.
   constexpr double kOne = 0x1p-6;
+  constexpr double kMuch = 0.25;
   if (!cluster.has_stretches()) return false;
   const auto uniform = places_of(cluster);
   std::vector<double> places(uniform.begin(), uniform.end());
@@ -132,17 +134,21 @@ bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tol
   double length = 0.0;
   glm::dvec3 before(0.0);
   bool was_near = false;
+  bool is_within = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const SpotPair at = cluster.at(curves, places[i]);
     const glm::dvec3 point = curves.a.at(at.a).point;
-    const bool is_near = curves.distance(at) <= kOne * tolerance;
+    const double distance = curves.distance(at);
+    const bool is_near = distance <= kOne * tolerance;
+    is_within = is_within && distance <= tolerance;
     const double step = i > 0 ? glm::distance(point, before) : 0.0;
     length += step;
     if (is_near && was_near) near += step;
     was_near = is_near;
     before = point;
   }
-  return length > 8.0 * tolerance && 4.0 * near >= 3.0 * length;
+  const bool is_much = is_within && length >= kMuch * std::min(curves.a.length(), curves.b.length());
+  return length > 8.0 * tolerance && (4.0 * near >= 3.0 * length || is_much);
 }
 
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "crowded_parts.hpp"
 #include "curve_bundles.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -22,35 +23,37 @@ constexpr double kGentle = 0.25;
 /// Parts of this part of the tolerance are points.
 constexpr double kSmall = 0.5;
 constexpr std::size_t kMostPairs = std::size_t{1} << 22;
+/// Of curves of many pieces so many a piece.
+constexpr std::size_t kMostOfPiece = 512;
 constexpr std::size_t kMostStretches = std::size_t{1} << 19;
 
-std::vector<CurvePart> parts_of(const CurvePieces& curve) {
-  std::vector<CurvePart> parts;
-  parts.reserve(curve.size());
-  for (std::size_t i = 0; i < curve.size(); ++i) parts.emplace_back(i, Interval{}, curve.piece(i));
-  return parts;
-}
+std::size_t most_pairs_of(std::size_t pieces) { return std::max(kMostPairs, kMostOfPiece * pieces); }
 
 class PairSearch {
  public:
   PairSearch(const CurvePieces& a, const CurvePieces& b, double tolerance)
-      : curves_{a, b}, tolerance_(tolerance), is_one_(&a == &b), parts_a_(parts_of(a)) {
-    if (!is_one_) parts_b_ = parts_of(b);
+      : curves_{a, b}, tolerance_(tolerance), most_pairs_(most_pairs_of(a.size() + (&a == &b ? 0 : b.size()))),
+        is_one_(&a == &b), parts_a_(a) {
+    if (is_one_) {
+      halve_crowded(parts_a_, tolerance_);
+    } else {
+      parts_b_.emplace(b);
+      halve_crowded(parts_a_, *parts_b_, tolerance_);
+    }
   }
 
   PairFindings found() {
-    const CurveBundles bundles_a(parts_a_);
-    std::optional<CurveBundles> bundles_b;
-    if (!is_one_) bundles_b.emplace(parts_b_);
     const auto work = [&](std::size_t i, std::size_t j) { pieces(i, j); };
-    BundlePairs(bundles_a, is_one_ ? bundles_a : *bundles_b, tolerance_, work).visit();
+    BundlePairs(parts_a_.bundles(), parts_b().bundles(), tolerance_, work).visit();
     return std::move(found_);
   }
 
  private:
+  const BundledParts& parts_b() const { return parts_b_ ? *parts_b_ : parts_a_; }
+
   void pieces(std::size_t i, std::size_t j) {
-    const CurvePart& a = parts_a_[i];
-    const CurvePart& b = is_one_ ? parts_a_[j] : parts_b_[j];
+    const CurvePart& a = parts_a_.parts()[i];
+    const CurvePart& b = parts_b().parts()[j];
     if (is_one_ && i == j) return own(a);
     is_one_ ? own_pair(a, b) : pair(a, b);
   }
@@ -58,7 +61,7 @@ class PairSearch {
   /// Counts a pair of parts. @returns whether they are near enough to meet
   bool are_near(const CurvePart& a, const CurvePart& b) {
     breathe(16 * (a.net.rows + b.net.rows));
-    if (++pairs_ > kMostPairs) refuse(kMostPairs);
+    if (++pairs_ > most_pairs_) refuse(most_pairs_);
     return !are_apart(a, b, tolerance_);
   }
 
@@ -195,9 +198,10 @@ class PairSearch {
 
   TwoCurves curves_;
   double tolerance_;
+  std::size_t most_pairs_;
   bool is_one_;
-  std::vector<CurvePart> parts_a_;
-  std::vector<CurvePart> parts_b_;
+  BundledParts parts_a_;
+  std::optional<BundledParts> parts_b_;
   std::size_t pairs_ = 0;
   PairFindings found_;
 };

@@ -10,6 +10,7 @@
 #include "curve_approach.hpp"
 #include "curve_part.hpp"
 #include "hull_extent.hpp"
+#include "patch_foot.hpp"
 #include "patch_part.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -29,50 +30,6 @@ constexpr double kSmall = 2.0;
 /// A look at how parts lie counts as so many pairs.
 constexpr std::size_t kLook = 16;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;
-
-double held(double t, const Interval& range) { return std::clamp(t, range.start, range.end); }
-
-std::array<double, 2> held(const std::array<double, 2>& at, const std::array<Interval, 2>& range) {
-  return {held(at[0], range[0]), held(at[1], range[1])};
-}
-
-/// The nearest place of a part of a piece whose normals hardly differ to a point, with its borders.
-PatchSpot foot_in(const PatchPieces& patch, PatchSpot at, const std::array<Interval, 2>& range, const glm::dvec3& point) {
-  constexpr int kMost = 12;
-  for (int round = 0; round < kMost; ++round) {
-    breathe(128);
-    const Slopes<2> s = patch.at(at, point);
-    const double uu = glm::dot(s.first[0], s.first[0]);
-    const double uv = glm::dot(s.first[0], s.first[1]);
-    const double vv = glm::dot(s.first[1], s.first[1]);
-    const double u = -glm::dot(s.offset, s.first[0]);
-    const double v = -glm::dot(s.offset, s.first[1]);
-    const double determinant = uu * vv - uv * uv;
-    std::array<double, 2> next = at.at;
-    constexpr double kParallel = 0x1p-40;
-    constexpr double kPoint = 0x1p-80;
-    if (determinant > kParallel * uu * vv && std::min(uu, vv) > kPoint * std::max(uu, vv)) {
-      next = {at.at[0] + (u * vv - v * uv) / determinant, at.at[1] + (v * uu - u * uv) / determinant};
-    } else if (std::max(uu, vv) > 0.0) {
-      // Where the patch is but a line it goes along that.
-      (uu >= vv ? next[0] : next[1]) += uu >= vv ? u / uu : v / vv;
-    }
-    for (std::size_t k = 0; k < 2; ++k) {
-      // On a border the other parameter goes on alone.
-      if (next[k] >= range[k].start && next[k] <= range[k].end) continue;
-      next[k] = held(next[k], range[k]);
-      const std::size_t other = 1 - k;
-      const double square = k == 0 ? vv : uu;
-      const double moved = next[k] - at.at[k];
-      if (square > 0.0) next[other] = at.at[other] + ((k == 0 ? v : u) - moved * uv) / square;
-    }
-    next = held(next, range);
-    const double step = std::max(std::abs(next[0] - at.at[0]), std::abs(next[1] - at.at[1]));
-    at.at = next;
-    if (step <= 0x1p-50) break;
-  }
-  return at;
-}
 
 /// How much the directions of the legs of a net turn from one to the next, along u and along v.
 std::array<double, 2> turns_along(const PatchPart& patch) {
@@ -190,7 +147,7 @@ class PierceSearch {
     const PierceSpot middle{{curve.piece, curve.range.middle()}, {patch.piece, patch.middle()}};
     const std::optional<PierceSpot> through = pierced(shapes_, middle);
     if (!through) return false;
-    PierceSpot at{{curve.piece, held(through->curve.t, curve.range)},
+    PierceSpot at{{curve.piece, std::clamp(through->curve.t, curve.range.start, curve.range.end)},
                   {patch.piece, held(through->patch.at, patch.range)}};
     constexpr int kRounds = 4;
     for (int round = 0; round < kRounds; ++round) {
@@ -374,33 +331,6 @@ std::optional<PierceSpot> pierced(const CurveAndPatch& shapes, PierceSpot at) {
     before = most;
   }
   return {};
-}
-
-PatchSpot patch_foot(const PatchPieces& patch, PatchSpot at, const glm::dvec3& point) {
-  constexpr int kMostHops = 16;
-  const std::array<Interval, 2> whole{};
-  at = foot_in(patch, at, whole, point);
-  double least = glm::length(patch.at(at, point).offset);
-  for (int hops = 0; hops < kMostHops; ++hops) {
-    PatchSpot best = at;
-    for (const Axis axis : {Axis::u, Axis::v}) {
-      const std::size_t k = axis == Axis::u ? 0 : 1;
-      if (at.at[k] != 0.0 && at.at[k] != 1.0) continue;
-      const auto next = patch.beyond(at.piece, {axis, at.at[k] == 1.0});
-      if (!next) continue;
-      PatchSpot there{*next, at.at};
-      there.at[k] = 1.0 - at.at[k];
-      there = foot_in(patch, there, whole, point);
-      const double distance = glm::length(patch.at(there, point).offset);
-      if (distance < least) {
-        least = distance;
-        best = there;
-      }
-    }
-    if (best.piece == at.piece) break;
-    at = best;
-  }
-  return at;
 }
 
 PiercePairFindings find_pairs(const CurveAndPatch& shapes, double tolerance) {

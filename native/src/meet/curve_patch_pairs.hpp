@@ -38,9 +38,6 @@ struct PiercePairFindings {
 /// The place that Newton's method finds from there, of pieces that go on beyond their ends. @returns none if it finds none
 std::optional<PierceSpot> pierced(const CurveAndPatch& shapes, PierceSpot at);
 
-/// Of a patch the place nearest to a point, in its piece and those beyond its sides.
-PatchSpot patch_foot(const PatchPieces& patch, PatchSpot at, const glm::dvec3& point);
-
 /// @throws InvalidShape after too many pairs.
 PiercePairFindings find_pairs(const CurveAndPatch& shapes, double tolerance);
 

@@ -20,6 +20,7 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
   for (std::size_t i = 0; i < count; ++i) {
     pieces_.push_back(bezier_piece(knots_, static_cast<int>(i), own.data()));
     boxes.push_back(box_of(pieces_.back()));
+    length_ += length_of_chords(i);
   }
   tree_.emplace(boxes);
   for (std::size_t i = 0; i < count; ++i) {
@@ -27,6 +28,18 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
     starts_.push_back(i == 0 ? 0.0 : starts_.back() + (goes_on_.back() ? 1.0 : 2.0));
     goes_on_.push_back(splinecore::are_one(pieces_[i].values.back(), next, space.rounding()));
   }
+}
+
+double CurvePieces::length_of_chords(std::size_t piece) const {
+  constexpr int kChords = 8;
+  glm::dvec3 before = at({piece, 0.0}).point;
+  double length = 0.0;
+  for (int i = 1; i <= kChords; ++i) {
+    const glm::dvec3 next = at({piece, static_cast<double>(i) / kChords}).point;
+    length += glm::distance(next, before);
+    before = next;
+  }
+  return length;
 }
 
 std::optional<std::size_t> CurvePieces::after(std::size_t i) const noexcept {

@@ -55,16 +55,22 @@ class CurvePieces {
   double place(const CurveSpot& spot) const noexcept { return starts_[spot.piece] + spot.t; }
   /// Of a closed curve on any of its turns.
   CurveSpot spot(double place) const noexcept;
+  /// That of a few chords of each piece.
+  double length() const noexcept { return length_; }
+
   /// By how much places of a closed curve rise in a turn.
   double turn() const noexcept { return starts_.back() + 1.0; }
 
  private:
+  double length_of_chords(std::size_t piece) const;
+
   const Kernels& kernels_;
   KnotVector knots_;
   std::vector<BernsteinNet<glm::dvec4>> pieces_;
   std::vector<bool> goes_on_;  ///< after each piece, after the last one at the first
   std::vector<double> starts_;  ///< places of the starts of pieces
   std::optional<BoxTree> tree_;
+  double length_ = 0.0;
 };
 
 }  // namespace splinecore

@@ -6,6 +6,8 @@
 #include "base/sort_by.hpp"
 #include "curve_patch_pairs.hpp"
 #include "near_space.hpp"
+#include "patch_foot.hpp"
+#include "patch_sheet.hpp"
 #include "plane_patch.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "zero_between.hpp"
@@ -44,6 +46,7 @@ class PierceOutcome {
     std::vector<Place> places;
     for (const Cluster& cluster : clusters_of(pairs)) add(cluster, found, places);
     found.places = once_each(std::move(places));
+    found.overlaps = united(std::move(found.overlaps));
     return found;
   }
 
@@ -100,7 +103,36 @@ class PierceOutcome {
       open.push_back(std::move(part));
     }
     std::move(open.begin(), open.end(), std::back_inserter(clusters));
+    join_at_seam(clusters);
     return clusters;
+  }
+
+  /// Of a closed curve what begins at its start goes on from what ends at its end.
+  void join_at_seam(std::vector<Cluster>& clusters) const {
+    if (!curve_.is_closed()) return;
+    const double turn = curve_.turn();
+    std::vector<Cluster> starts;
+    std::erase_if(clusters, [&](Cluster& cluster) {
+      const bool is_start = cluster.wide.start <= 0.0 && cluster.wide.end < turn;
+      if (is_start) starts.push_back(further(std::move(cluster), turn));
+      return is_start;
+    });
+    for (Cluster& start : starts) {
+      const auto before = std::ranges::find_if(clusters, [&](const Cluster& other) {
+        return other.wide.end >= start.wide.start && are_joined(other, start);
+      });
+      if (before == clusters.end()) {
+        clusters.push_back(further(std::move(start), -turn));
+      } else {
+        join(*before, start);
+      }
+    }
+  }
+
+  static Cluster further(Cluster cluster, double turn) {
+    for (Interval* in : {&cluster.along, &cluster.wide}) *in = {in->start + turn, in->end + turn};
+    for (auto& foot : cluster.feet) foot.first += turn;
+    return cluster;
   }
 
   static void join(Cluster& into, const Cluster& other) {
@@ -114,10 +146,11 @@ class PierceOutcome {
     into.has_stretches = into.has_stretches || other.has_stretches;
   }
 
-  /// Whether the curve stays within the tolerance of the patch, or of a place, from one to the other.
+  /// Whether the curve stays within the tolerance of the patch, or of a place, from one to the other, on one sheet.
   bool are_joined(const Cluster& one, const Cluster& other) const {
     const double before = std::min(one.along.end, other.along.end);
     const double behind = std::max(one.along.start, other.along.start);
+    if (!are_on_one_sheet(one, other, 0.5 * (before + behind))) return false;
     if (behind <= before || behind - before <= curve_.reach(before, 1.0, tolerance_)) return true;
     constexpr int kPlaces = 16;
     for (int i = 1; i < kPlaces; ++i) {
@@ -126,6 +159,21 @@ class PierceOutcome {
       if (!is_near(one) && !is_near(other)) return false;
     }
     return true;
+  }
+
+  /// Whether the places of the patch that two clusters are beside, where these are next to each other, are not two of a
+  /// patch that crosses itself.
+  bool are_on_one_sheet(const Cluster& one, const Cluster& other, double place) const {
+    const PierceSpot on_one = beside(one, place).at;
+    const PierceSpot on_other = beside(other, place).at;
+    if (std::max(shapes().distance(on_one), shapes().distance(on_other)) > tolerance_) return true;
+    return are_one(on_one, on_other);
+  }
+
+  bool are_one(const PierceSpot& one, const PierceSpot& other) const {
+    constexpr double kClearly = 64.0;
+    const glm::dvec3 point = curve_.at(one.curve).point;
+    return splinecore::are_on_one_sheet(patch_, one.patch, other.patch, point, kClearly * tolerance_);
   }
 
   Beside beside(const Cluster& cluster, double place) const {
@@ -171,7 +219,7 @@ class PierceOutcome {
       if (i > 0) length += glm::distance(curve_.at(curve_.spot(at[i])).point, curve_.at(curve_.spot(at[i - 1])).point);
     }
     if (length > 8.0 * tolerance_ && 4 * near >= 3 * kCount) {
-      found.overlaps.push_back({parameter(cluster.along.start), parameter(cluster.along.end)});
+      found.overlaps.push_back(overlap(cluster.along));
       return;
     }
     const auto best = static_cast<std::size_t>(std::ranges::min_element(distances) - distances.begin());
@@ -201,25 +249,45 @@ class PierceOutcome {
     places.push_back({*std::ranges::min_element(cluster.crossings, {}, distance), false});
   }
 
+  /// Of a closed curve the end may be a turn further.
+  Interval overlap(const Interval& along) const {
+    const bool is_beyond = curve_.is_closed() && along.end > curve_.turn();
+    return {parameter(along.start), is_beyond ? parameter(along.end) + domain_.length() : parameter(along.end)};
+  }
+
+  /// In order; what lies on several sheets is one where they overlap.
+  static std::vector<Interval> united(std::vector<Interval> overlaps) {
+    sort_by(overlaps, [](const Interval& overlap) { return overlap.start; });
+    std::vector<Interval> found;
+    for (const Interval& overlap : overlaps) {
+      if (found.empty() || overlap.start >= found.back().end) {
+        found.push_back(overlap);
+      } else {
+        found.back().end = std::max(found.back().end, overlap.end);
+      }
+    }
+    return found;
+  }
+
   double parameter(double place) const { return curve_.parameter(curve_.spot(place)); }
 
   std::vector<PatchIntersection> once_each(std::vector<Place> places) const {
     sort_by(places, [&](const Place& p) { return SortKey{p.touches ? 0.0 : 1.0, shapes().distance(p.at)}; });
-    std::vector<double> known;
+    std::vector<PierceSpot> known;
     std::vector<PatchIntersection> found;
     for (const Place& place : places) {
       const glm::dvec3 on_curve = curve_.at(place.at.curve).point;
-      const bool is_known = std::ranges::any_of(known, [&](double other) {
-        return curve_.are_one(place.at.curve, curve_.spot(other), tolerance_);
+      const bool is_known = std::ranges::any_of(known, [&](const PierceSpot& other) {
+        return curve_.are_one(place.at.curve, other.curve, tolerance_) && are_one(place.at, other);
       });
       if (is_known) continue;
-      known.push_back(curve_.place(place.at.curve));
+      known.push_back(place.at);
       const glm::dvec3 gap = patch_.at(place.at.patch, on_curve).offset;
       const double t = curve_.parameter(place.at.curve);
       found.push_back({curve_.is_closed() && t >= domain_.end ? domain_.start : t, patch_.parameters(place.at.patch),
                        space_.leave(on_curve + 0.5 * gap), space_.length(glm::length(gap)), place.touches});
     }
-    sort_by(found, [](const PatchIntersection& place) { return place.t; });
+    sort_by(found, [](const PatchIntersection& place) { return SortKey{place.t, place.parameters[0]}; });
     return found;
   }
 
@@ -237,7 +305,9 @@ PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patc
 }
 
 PatchIntersections intersections(const NurbsCurve& curve, const Plane& plane, std::optional<double> tolerance) {
-  return PierceOutcome(curve, plane_about(curve.points(), plane), tolerance).found();
+  // How large the part of the plane is that is looked at decides nothing.
+  const double within = tolerance.value_or(default_place_tolerance(curve.points()));
+  return PierceOutcome(curve, plane_about(curve.points(), plane), within).found();
 }
 
 }  // namespace splinecore

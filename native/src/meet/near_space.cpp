@@ -20,6 +20,9 @@ PowerOfTwo power_of_two(int exponent) noexcept {
   return {std::ldexp(1.0, exponent / 2), std::ldexp(1.0, exponent - exponent / 2)};
 }
 
+/// The tolerance for places by the size of shapes.
+constexpr double kOfSize = 0x1p-33;
+
 double largest_of(const glm::dvec3& p) noexcept { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
 /// Of a number that is not zero the exponent that brings it below 1.
@@ -50,6 +53,26 @@ NearSpace::NearSpace(std::span<const glm::dvec4> points) {
   rounding_ = std::ldexp(0x1p-53 * largest_of(glm::max(glm::abs(low), glm::abs(high))), -inner_);
   into_inner_ = power_of_two(-inner_);
   out_of_inner_ = power_of_two(inner_);
+  size_ = size_of(points);
+}
+
+double NearSpace::size_of(std::span<const glm::dvec4> points) const {
+  const auto near = [&](const glm::dvec4& p) {
+    return into_inner_.times(into_outer_.times(glm::dvec3(p)) - origin_);
+  };
+  glm::dvec3 sum(0.0);
+  double count = 0.0;
+  for (const glm::dvec4& p : points) {
+    if (p.w == 0.0) continue;
+    sum += near(p);
+    count += 1.0;
+  }
+  const glm::dvec3 middle = sum / std::max(count, 1.0);
+  double size = 0.0;
+  for (const glm::dvec4& p : points) {
+    if (p.w != 0.0) size = std::max(size, glm::distance(near(p), middle));
+  }
+  return size;
 }
 
 NearPoint NearSpace::enter(const glm::dvec3& point, double far) const noexcept {
@@ -101,11 +124,15 @@ std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const 
   return points;
 }
 
+double default_place_tolerance(std::span<const glm::dvec4> points) {
+  const NearSpace space(points);
+  return space.length(kOfSize * space.size());
+}
+
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance) {
   require_tolerance(tolerance);
-  constexpr double kOfSize = 0x1p-33;
   constexpr double kRounding = 0x1p-46;
-  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());
+  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize * space.size(), kRounding + 4.0 * space.rounding());
 }
 
 }  // namespace splinecore

@@ -51,6 +51,9 @@ class NearSpace {
   /// A length out there.
   double length(double near) const noexcept { return out_of_outer_.times(out_of_inner_.times(near)); }
 
+  /// How far the shape's control points reach there from the middle of them all, which no motion changes.
+  double size() const noexcept { return size_; }
+
   /// How much of a coordinate may be rounding of those given.
   double rounding() const noexcept { return rounding_; }
 
@@ -60,17 +63,23 @@ class NearSpace {
                                       std::size_t width, std::size_t unrolled_width) const;
 
  private:
+  double size_of(std::span<const glm::dvec4> points) const;
+
   glm::dvec3 origin_{0.0};
   int outer_ = 0;  ///< coordinates are divided by 2^outer_, the origin is subtracted, and the rest divided by 2^inner_
   int inner_ = 0;
   double rounding_ = 0.0;
+  double size_ = 0.0;
   PowerOfTwo into_outer_, into_inner_, out_of_outer_, out_of_inner_;
 };
 
 /// The points of two shapes that share a space.
 std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const glm::dvec4> b);
 
-/// A tolerance there for places of shapes, of 2^-33 of their size where none is given; no smaller one than rounding leaves.
+/// The tolerance for places of a shape where none is given: 2^-33 of its size.
+double default_place_tolerance(std::span<const glm::dvec4> points);
+
+/// A tolerance there for places of shapes, by default 2^-33 of their size; no smaller one than rounding leaves.
 /// @throws InvalidShape unless it is 0 or more.
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance);
 

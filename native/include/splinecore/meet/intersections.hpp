@@ -44,7 +44,7 @@ struct PatchIntersection {
 
 struct PatchIntersections {
   std::vector<PatchIntersection> places;  ///< in the order of the parameters of the curve
-  std::vector<Interval> overlaps;         ///< stretches of the curve that lie on the patch, likewise
+  std::vector<Interval> overlaps;         ///< stretches of the curve that lie on the patch, likewise; none overlap
 };
 
 /// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
@@ -56,8 +56,8 @@ struct PatchIntersections {
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
 /// a gap shows not to be, or they lie within the tolerance of each other. S18.
-/// @param tolerance  none: 2^-33 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs.
+/// @param tolerance  none: 2^-33 of how far control points of both reach from the middle of them all
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs, or 512 a span if these are more.
 CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 
 /// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
@@ -65,12 +65,13 @@ CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
 
 /// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve
-/// included, and stretches that lie on the patch; by halving, as of two curves. S18.
-/// @param tolerance  none: 2^-33 of the size of both
+/// included, and stretches that lie on the patch; by halving, as of two curves. Where the patch crosses itself there is a
+/// place for each of its sheets; a stretch over the end of a closed curve is one, and its end a turn further. S18.
+/// @param tolerance  none: 2^-33 of how far control points of both reach from the middle of them all
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs.
 PatchIntersections intersections(const NurbsCurve& curve, const NurbsPatch& patch, std::optional<double> tolerance = {});
 
-/// The same with a plane, whose coordinates are the parameters.
+/// The same with a plane, whose coordinates are the parameters. The default tolerance is by the curve alone.
 PatchIntersections intersections(const NurbsCurve& curve, const Plane& plane, std::optional<double> tolerance = {});
 
 }  // namespace splinecore
