@@ -113,13 +113,23 @@ BezierPieces circle_about(const glm::dvec3& centre, const SideStep& step) {
   return circle;
 }
 
-/// What bounds the places that are nearer to a curve than its offset, beside that.
-std::vector<BezierPieces> other_bounds(const BezierPieces& pieces, const SideStep& step) {
+/// Whether two pieces that follow each other have a corner between them.
+bool turns(const BezierCurve& before, const BezierCurve& behind, const SideStep& step) {
+  return glm::distance(offset_place(before, 1.0, step).moved, offset_place(behind, 0.0, step).moved) > kSamePlace;
+}
+
+/// What bounds the places that are nearer to a curve than its offset, beside that: about corners that are sharp there, too.
+std::vector<BezierPieces> other_bounds(const BezierPieces& pieces, const SideStep& step, OffsetCorner corner) {
   const SideStep other{step.normal, -step.distance, step.tolerance};
   std::vector<BezierPieces> bounds = CurveOffset(pieces, other, OffsetCorner::round).runs();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const BezierCurve& next = pieces[(i + 1) % pieces.size()];
-    if (glm::distance(end_of(pieces[i]), start_of(next)) <= kSamePlace) continue;
+    if (glm::distance(end_of(pieces[i]), start_of(next)) <= kSamePlace) {
+      if (corner == OffsetCorner::sharp && turns(pieces[i], next, step)) {
+        bounds.push_back(circle_about(end_of(pieces[i]), step));
+      }
+      continue;
+    }
     bounds.push_back(circle_about(end_of(pieces[i]), step));
     bounds.push_back(circle_about(start_of(next), step));
   }
@@ -168,7 +178,7 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
   require_plane(pieces, step, space);
   const SideStep fine{step.normal, step.distance, options.trimmed ? 0.5 * step.tolerance : step.tolerance};
   std::vector<BezierPieces> runs = CurveOffset(pieces, fine, options.corner).runs();
-  if (options.trimmed) runs = trimmed_offset(curve, space, step, runs, other_bounds(pieces, fine));
+  if (options.trimmed) runs = trimmed_offset(curve, space, step, runs, other_bounds(pieces, fine, options.corner));
   std::vector<NurbsCurve> found;
   for (const BezierPieces& run : runs) {
     const NurbsCurve near = curve_of(run);
