@@ -50,6 +50,7 @@ def test_solids_of_any_size_and_place(inputs):
         solid = sc.PatchSet.from_patches([patch])
         slack = 1e-9 + 1e-14 * far
         assert abs(solid.volume() - volume) <= slack * size**3, seed
-        assert abs(solid.area() - area) <= (slack + 1e-8) * size**2, seed
+        # Where weights bend the surface sharply, Gauss's rule misses more of the root than of polynomials.
+        assert abs(solid.area() - area) <= (slack + 1e-6) * size**2, seed
         if abs(volume) > 1e-2 * size**3:
             assert np.abs(solid.centroid() - middle - centroid).max() <= 1e3 * slack * size, seed
