@@ -140,3 +140,18 @@ def test_straight_extensions_are_straight(degree):
 def test_what_cannot_grow_is_refused(patch, side, length, how, words):
     with pytest.raises(sc.InvalidShape, match=words):
         build.extend_patch(patch, side, length, how)
+
+
+@pytest.mark.parametrize("how", ["straight", "natural"])
+def test_what_lies_at_infinity_at_its_side_is_not_made_longer(how):
+    """Random rational patches, one point of whose side, or all of it, is a direction."""
+    rng = np.random.default_rng(51)
+    for kind in range(60):
+        degree = [int(rng.integers(1, 5)) for _ in "uv"]
+        count = [p + 1 + int(rng.integers(0, 4)) for p in degree]
+        knots = [np.r_[[0] * (p + 1), np.sort(rng.uniform(0, 1, n - p - 1)), [1] * (p + 1)] for p, n in zip(degree, count)]
+        weights = 10 ** rng.uniform(-1.5, 1.5, count)
+        weights[-1, slice(None) if kind % 3 == 0 else int(rng.integers(count[1]))] = 0
+        patch = sc.NurbsPatch(degree, knots, rng.uniform(-1, 1, (*count, 3)), weights)
+        with pytest.raises(sc.InvalidShape, match="runs to infinity at its side: nothing goes on from there"):
+            build.extend_patch(patch, "u_end", 10 ** rng.uniform(-2, 1), how)

@@ -226,3 +226,67 @@ def test_meshes_that_are_none_are_refused(points, faces, words):
 def test_faces_are_lists_of_numbers(faces):
     with pytest.raises(TypeError):
         build.catmull_clark(CUBE[0], faces)
+
+
+def limit_normal(points, faces, vertex):
+    """Of the scheme: the plane through where neighbours lie after many rounds, from the left eigenvectors of one round."""
+    for _ in range(2):
+        points, faces = subdivide(points, faces)
+    beside = {face[face.index(vertex) + 1 - 4]: (face[(face.index(vertex) + 2) % 4], face[face.index(vertex) - 1])
+              for face in faces if vertex in face}
+    ring = [next(iter(beside))]
+    while len(ring) < len(beside):
+        ring.append(beside[ring[-1]][1])
+    n = len(ring)
+    a = 2 * np.pi / n * np.arange(n)
+    c = np.cos(2 * np.pi / n)
+    edges = 1 + c + np.cos(np.pi / n) * np.sqrt(2 * (9 + c))
+    tangents = []
+    for f in (np.cos, np.sin):
+        tangents.append(edges * f(a) @ points[ring] + (f(a) + f(a + 2 * np.pi / n)) @ points[[beside[e][0] for e in ring]])
+    normal = np.cross(*tangents)
+    return normal / np.linalg.norm(normal)
+
+
+def test_normals_at_extraordinary_points_are_those_of_the_scheme(inputs):
+    """Of bent meshes: every patch that ends there has it."""
+    rng = np.random.default_rng(8)
+    for seed in range(inputs(400)):
+        valence = int(rng.choice([3, 5, 6, 7, 9]))
+        points, faces = fan(valence, seed=seed)
+        points = points * [1, 1, rng.uniform(0.3, 3)] + rng.normal(0, 0.1, points.shape)
+        want = limit_normal(points, faces, 0)
+        made = build.catmull_clark(points, faces)
+        middle = limit_points(points, faces, 0)[0]
+        found = 0
+        for patch in made.patches:
+            corner = patch.evaluate(1, 1)
+            if np.abs(corner - middle).max() > 1e-9:
+                continue
+            found += 1
+            _, normals = patch.evaluate_grid_with_normals([1.0], [1.0])
+            assert np.linalg.norm(normals[0, 0] - want) <= 1e-9, seed
+        assert found == valence and made.angle <= 1e-8
+
+
+def test_normals_where_three_faces_meet_on_the_border():
+    """The scheme comes near to its tangent plane by 0.82 a round."""
+    points, faces = fan(3, is_open=True, seed=3)
+    points = points * [1, 1, 2] + np.random.default_rng(5).normal(0, 0.1, points.shape)
+    middle = (points[1] + 4 * points[0] + points[4]) / 6
+    made = build.catmull_clark(points, faces)
+    for _ in range(30):
+        points, faces = subdivide(points, faces)
+        near = {v for face in faces if 0 in face for v in face}
+        for _ in range(2):
+            near = {v for face in faces if near & set(face) for v in face}
+        kept = sorted(near)
+        numbers = {v: i for i, v in enumerate(kept)}
+        points, faces = points[kept], [tuple(numbers[v] for v in face) for face in faces if set(face) <= near]
+    ring = points[sorted({v for face in faces if 0 in face for v in face})]
+    want = np.linalg.svd(ring - points[0])[2][2]
+    found = [patch.evaluate_grid_with_normals([1.0], [1.0])[1][0, 0] for patch in made.patches
+             if np.abs(patch.evaluate(1, 1) - middle).max() <= 1e-9]
+    assert len(found) == 3
+    for normal in found:
+        assert np.linalg.norm(np.cross(normal, want)) <= 1e-3

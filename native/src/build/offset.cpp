@@ -6,54 +6,22 @@
 #include <numbers>
 #include <string>
 
+#include "bezier_runs.hpp"
 #include "cubics_along.hpp"
 #include "meet/near_space.hpp"
 #include "offset_parts.hpp"
 #include "offset_piece.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/build/join.hpp"
 #include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/curve/evaluate.hpp"
-#include "splinecore/meet/intersections.hpp"
-#include "splinecore/meet/nearest.hpp"
 #include "standstill.hpp"
+#include "trimmed_offset.hpp"
 
 namespace splinecore {
 
 namespace {
 
-/// Places so near, in a space where the curve is about 1 large, are one.
-constexpr double kSame = 0x1p-40;
 /// A corner whose tangents meet farther away than so many distances is not sharp.
 constexpr double kLongestCorner = 4.0;
-
-using BezierPieces = std::vector<BezierCurve>;
-
-glm::dvec3 start_of(const BezierCurve& curve) { return glm::dvec3(curve.points().front()); }
-glm::dvec3 end_of(const BezierCurve& curve) { return glm::dvec3(curve.points().back()); }
-
-BezierCurve line_between(const glm::dvec3& a, const glm::dvec3& b) {
-  return BezierCurve::make({glm::dvec4(a, 1.0), glm::dvec4(b, 1.0)});
-}
-
-/// How long the polygon of a piece is.
-double length_of(const BezierCurve& curve) {
-  double length = 0.0;
-  const auto points = curve.points();
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    if (points[i].w == 0.0 || points[i - 1].w == 0.0) continue;
-    length += glm::distance(glm::dvec3(points[i]), glm::dvec3(points[i - 1]));
-  }
-  return length;
-}
-
-/// A curve piece after piece, each as long in its parameter as its polygon is.
-NurbsCurve curve_of(const BezierPieces& pieces) {
-  std::vector<double> parameters{0.0};
-  for (const BezierCurve& piece : pieces) parameters.push_back(parameters.back() + std::max(length_of(piece), kSame));
-  constexpr double kGap = 0x1p-24;
-  return join_beziers(pieces, std::move(parameters), kGap);
-}
 
 /// Runs of pieces that follow each other, offset; what is at their joints.
 class CurveOffset {
@@ -63,14 +31,14 @@ class CurveOffset {
 
   std::vector<BezierPieces> runs() {
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (i == 0 || glm::distance(end_of(pieces_[i - 1]), start_of(pieces_[i])) > kSame) {
+      if (i == 0 || glm::distance(end_of(pieces_[i - 1]), start_of(pieces_[i])) > kSamePlace) {
         runs_.emplace_back();
       } else {
         turn(pieces_[i - 1], pieces_[i]);
       }
       for (BezierCurve& made : offset_piece(pieces_[i], step_)) follow(std::move(made));
     }
-    if (runs_.size() == 1 && glm::distance(end_of(pieces_.back()), start_of(pieces_.front())) <= kSame) {
+    if (runs_.size() == 1 && glm::distance(end_of(pieces_.back()), start_of(pieces_.front())) <= kSamePlace) {
       turn(pieces_.back(), pieces_.front());
     }
     std::erase_if(runs_, [](const BezierPieces& run) { return run.empty(); });
@@ -81,8 +49,8 @@ class CurveOffset {
   /// Of a piece that is little more than rounding the direction is, too: what is left open behind it is closed.
   void follow(BezierCurve piece) {
     BezierPieces& run = runs_.back();
-    if (!run.empty() && glm::distance(end_of(run.back()), start_of(piece)) > kSame) {
-      run.push_back(line_between(end_of(run.back()), start_of(piece)));
+    if (!run.empty() && glm::distance(end_of(run.back()), start_of(piece)) > kSamePlace) {
+      run.push_back(bezier_line(end_of(run.back()), start_of(piece)));
     }
     run.push_back(std::move(piece));
   }
@@ -91,7 +59,7 @@ class CurveOffset {
   void turn(const BezierCurve& before, const BezierCurve& behind) {
     const OffsetPlace a = offset_place(before, 1.0, step_);
     const OffsetPlace b = offset_place(behind, 0.0, step_);
-    if (glm::distance(a.moved, b.moved) <= kSame) return;
+    if (glm::distance(a.moved, b.moved) <= kSamePlace) return;
     const double sine = glm::dot(glm::cross(a.tangent, b.tangent), step_.normal);
     const double cosine = glm::dot(a.tangent, b.tangent);
     double angle = std::atan2(sine, cosine);
@@ -100,11 +68,11 @@ class CurveOffset {
     if (cosine < 0.0 && std::abs(sine) <= kBack) angle = step_.distance > 0.0 ? -std::numbers::pi : std::numbers::pi;
     // On the inner side of a corner offsets cross; a line between them is nearer to the curve than they are.
     if (angle * step_.distance > 0.0) {
-      follow(line_between(a.moved, b.moved));
+      follow(bezier_line(a.moved, b.moved));
     } else if (corner_ == OffsetCorner::sharp && 1.0 < kLongestCorner * std::cos(0.5 * angle)) {
       const glm::dvec3 tip = a.moved + std::abs(step_.distance) * std::tan(0.5 * std::abs(angle)) * a.tangent;
-      follow(line_between(a.moved, tip));
-      follow(line_between(tip, b.moved));
+      follow(bezier_line(a.moved, tip));
+      follow(bezier_line(tip, b.moved));
     } else {
       arc(a, angle);
     }
@@ -145,114 +113,28 @@ BezierPieces circle_about(const glm::dvec3& centre, const SideStep& step) {
   return circle;
 }
 
-/// What bounds the places that are nearer to a curve than its offset, beside that.
-std::vector<BezierPieces> other_bounds(const BezierPieces& pieces, const SideStep& step) {
+/// Whether two pieces that follow each other have a corner between them.
+bool turns(const BezierCurve& before, const BezierCurve& behind, const SideStep& step) {
+  return glm::distance(offset_place(before, 1.0, step).moved, offset_place(behind, 0.0, step).moved) > kSamePlace;
+}
+
+/// What bounds the places that are nearer to a curve than its offset, beside that: about corners that are sharp there, too.
+std::vector<BezierPieces> other_bounds(const BezierPieces& pieces, const SideStep& step, OffsetCorner corner) {
   const SideStep other{step.normal, -step.distance, step.tolerance};
   std::vector<BezierPieces> bounds = CurveOffset(pieces, other, OffsetCorner::round).runs();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const BezierCurve& next = pieces[(i + 1) % pieces.size()];
-    if (glm::distance(end_of(pieces[i]), start_of(next)) <= kSame) continue;
+    if (glm::distance(end_of(pieces[i]), start_of(next)) <= kSamePlace) {
+      if (corner == OffsetCorner::sharp && turns(pieces[i], next, step)) {
+        bounds.push_back(circle_about(end_of(pieces[i]), step));
+      }
+      continue;
+    }
     bounds.push_back(circle_about(end_of(pieces[i]), step));
     bounds.push_back(circle_about(start_of(next), step));
   }
   return bounds;
 }
-
-/// The part of a curve between two parameters.
-NurbsCurve part_of(const NurbsCurve& curve, double from, double to) {
-  NurbsCurve part = curve;
-  if (to < part.domain().end) part = split(part, to).first;
-  if (from > part.domain().start) part = split(part, from).second;
-  return part;
-}
-
-/// Without the parts that are nearer to a curve than the distance.
-class TrimmedOffset {
- public:
-  TrimmedOffset(const NurbsCurve& curve, const NearSpace& space, const SideStep& step)
-      : curve_(curve), space_(space), step_(step) {}
-
-  /// @param others  curves at the same distance that are cut with, too: on the other side, and about ends
-  std::vector<BezierPieces> parts(const std::vector<BezierPieces>& runs, const std::vector<BezierPieces>& others) const {
-    std::vector<NurbsCurve> raw;
-    for (const BezierPieces& run : runs) raw.push_back(curve_of(run));
-    const std::size_t count = raw.size();
-    for (const BezierPieces& other : others) raw.push_back(curve_of(other));
-    std::vector<std::vector<double>> cuts(raw.size());
-    for (std::size_t i = 0; i < count; ++i) {
-      for (const CurveIntersection& place : self_intersections(raw[i]).places) {
-        cuts[i].insert(cuts[i].end(), {place.a, place.b});
-      }
-      for (std::size_t j = i + 1; j < raw.size(); ++j) {
-        for (const CurveIntersection& place : intersections(raw[i], raw[j]).places) {
-          cuts[i].push_back(place.a);
-          cuts[j].push_back(place.b);
-        }
-      }
-    }
-    std::vector<BezierPieces> kept;
-    for (std::size_t i = 0; i < count; ++i) keep(raw[i], std::move(cuts[i]), kept);
-    return joined_ends(std::move(kept));
-  }
-
- private:
-  void keep(const NurbsCurve& raw, std::vector<double> cuts, std::vector<BezierPieces>& kept) const {
-    const Interval domain = raw.domain();
-    cuts.insert(cuts.end(), {domain.start, domain.end});
-    std::ranges::sort(cuts);
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] - cuts[i] <= kSame * domain.length()) continue;
-      if (!is_far_enough(raw, cuts[i], cuts[i + 1])) continue;
-      kept.push_back(to_bezier(part_of(raw, cuts[i], cuts[i + 1])));
-    }
-  }
-
-  bool is_far_enough(const NurbsCurve& raw, double from, double to) const {
-    for (const double s : {0.5, 0.25, 0.75}) {
-      const double u = from + s * (to - from);
-      glm::dvec3 point;
-      evaluate(raw, std::span(&u, 1), std::span(&point.x, 3));
-      point = space_.leave(point);
-      NearestOnCurve found;
-      nearest(curve_, std::span(&point, 1), std::span(&found, 1), 1);
-      if (found.distance / space_.length(1.0) < std::abs(step_.distance) - 2.0 * step_.tolerance) return false;
-    }
-    return true;
-  }
-
-  /// Parts that begin where others end put together.
-  std::vector<BezierPieces> joined_ends(std::vector<BezierPieces> parts) const {
-    const double near = std::max(step_.tolerance, 0x1p-30);
-    const std::size_t none = parts.size();
-    std::vector<std::size_t> next(parts.size(), none);
-    std::vector<bool> has_before(parts.size(), false);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      for (std::size_t j = 0; j < parts.size() && next[i] == none; ++j) {
-        if (i == j || has_before[j] || glm::distance(end_of(parts[i].back()), start_of(parts[j].front())) > near) continue;
-        next[i] = j;
-        has_before[j] = true;
-      }
-    }
-    std::vector<BezierPieces> joined;
-    std::vector<bool> is_done(parts.size(), false);
-    // First those that nothing comes before; what is left goes round.
-    for (const bool is_round : {false, true}) {
-      for (std::size_t first = 0; first < parts.size(); ++first) {
-        if (is_done[first] || has_before[first] != is_round) continue;
-        joined.emplace_back();
-        for (std::size_t i = first; i != none && !is_done[i]; i = next[i]) {
-          joined.back().insert(joined.back().end(), parts[i].begin(), parts[i].end());
-          is_done[i] = true;
-        }
-      }
-    }
-    return joined;
-  }
-
-  const NurbsCurve& curve_;
-  const NearSpace& space_;
-  const SideStep& step_;
-};
 
 void require_plane(const BezierPieces& pieces, const SideStep& step, const NearSpace& space) {
   double low = std::numeric_limits<double>::infinity();
@@ -294,8 +176,9 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
     throw InvalidShape("the curve is a point: there is nothing beside it");
   }
   require_plane(pieces, step, space);
-  std::vector<BezierPieces> runs = CurveOffset(pieces, step, options.corner).runs();
-  if (options.trimmed) runs = TrimmedOffset(curve, space, step).parts(runs, other_bounds(pieces, step));
+  const SideStep fine{step.normal, step.distance, options.trimmed ? 0.5 * step.tolerance : step.tolerance};
+  std::vector<BezierPieces> runs = CurveOffset(pieces, fine, options.corner).runs();
+  if (options.trimmed) runs = trimmed_offset(curve, space, step, runs, other_bounds(pieces, fine, options.corner));
   std::vector<NurbsCurve> found;
   for (const BezierPieces& run : runs) {
     const NurbsCurve near = curve_of(run);

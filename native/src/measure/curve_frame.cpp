@@ -6,7 +6,8 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "near_curve.hpp"
+#include "frenet_frame.hpp"
+#include "rounded_jet.hpp"
 #include "unit_direction.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -20,12 +21,6 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr int kTerms = 8;
 constexpr int kOrder = kTerms + 2;
 
-/// A number or vector, and how much of it may be rounding.
-template <class Value>
-struct Rounded {
-  Value value{0.0};
-  double rounding = 0.0;
-};
 template <class Value>
 using RoundedSeries = std::array<Rounded<Value>, kTerms>;
 
@@ -44,25 +39,41 @@ struct Local {
   RoundedSeries<glm::dvec3> third;
 };
 
-Local local_at(const NurbsCurve& curve, double u, Side side) {
-  constexpr double kRounding = 0x1p-46;
-  std::array<glm::dvec3, kOrder + 1> values;
-  derivatives(curve, {&u, 1}, kOrder, std::span(&values[0].x, 3 * values.size()), {.side = side});
-  const KnotVector& knots = curve.knot_vector();
-  const double span = knots.span_interval(knots.span_of(knots.admit(u, side), side)).length();
-  const double rounding = kRounding * (curve.degree() + 1) * extent(curve.points());
-  double factor = 1.0;
-  for (int k = 1; k <= kOrder; ++k) values[k] *= factor *= span / k;
+/// From derivatives 0 to kOrder in powers of the span's length.
+Local local_of(const std::array<Rounded<glm::dvec3>, kOrder + 1>& values) {
   Local local;
+  const auto term = [](double factor, const Rounded<glm::dvec3>& x) {
+    return Rounded<glm::dvec3>{factor * x.value, factor * x.rounding};
+  };
   for (int k = 0; k < kTerms; ++k) {
     const double once = k + 1.0;
     const double twice = (k + 2.0) * once;
     const double thrice = (k + 3.0) * twice;
-    local.first[k] = {once * values[k + 1], once * rounding};
-    local.second[k] = {twice * values[k + 2], twice * rounding};
-    local.third[k] = {thrice * values[k + 3], thrice * rounding};
+    local.first[k] = term(once, values[k + 1]);
+    local.second[k] = term(twice, values[k + 2]);
+    local.third[k] = term(thrice, values[k + 3]);
   }
   return local;
+}
+
+Local local_at(const NurbsCurve& curve, const SlowPlaces& slow, double u, Side side) {
+  constexpr double kRounding = 0x1p-46;
+  std::array<glm::dvec3, kOrder + 1> plain;
+  derivatives(curve, {&u, 1}, kOrder, std::span(&plain[0].x, 3 * plain.size()), {.side = side});
+  const KnotVector& knots = curve.knot_vector();
+  const double span = knots.span_interval(knots.span_of(knots.admit(u, side), side)).length();
+  const double rounding = kRounding * (curve.degree() + 1) * extent(curve.points());
+  std::array<Rounded<glm::dvec3>, kOrder + 1> values;
+  for (int k = 0; k <= kOrder; ++k) values[k].value = plain[k];
+  const bool is_slow = slow.is_slow(plain[1], span);
+  if (is_slow) std::ranges::copy(slow.jet(u, side, kOrder), values.begin());
+  double factor = 1.0;
+  for (int k = 1; k <= kOrder; ++k) {
+    factor *= span / k;
+    values[k].value *= factor;
+    values[k].rounding = is_slow ? values[k].rounding * factor : rounding;
+  }
+  return local_of(values);
 }
 
 /// The product of two series, with `multiply` for their terms.
@@ -143,15 +154,18 @@ MovingFrame frame_of(const Local& local, bool is_arriving) {
   return frame;
 }
 
+bool arrives_at(const KnotVector& knots, double u, Side side) {
+  return knots.span_interval(knots.span_of(u, side)).end == u;
+}
+
 /// Calls visit(i, local, whether the curve arrives at u) for the curve near the origin.
 template <class Visit>
 Placement for_each_local(const NurbsCurve& curve, std::span<const double> parameters, Side side, Visit visit) {
   const NearCurve near = near_origin(curve);
-  const KnotVector& knots = near.curve.knot_vector();
+  const SlowPlaces slow(curve, near);
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const double u = std::scalbn(curve.knot_vector().admit(parameters[i], side, i), -near.parameters);
-    const bool is_arriving = knots.span_interval(knots.span_of(u, side)).end == u;
-    visit(i, local_at(near.curve, u, side), is_arriving);
+    visit(i, local_at(near.curve, slow, u, side), arrives_at(near.curve.knot_vector(), u, side));
   }
   return near.placement;
 }
@@ -169,6 +183,10 @@ void bends(const NurbsCurve& curve, std::span<const double> parameters, std::spa
 }
 
 }  // namespace
+
+MovingFrame frenet_frame(const NurbsCurve& near, const SlowPlaces& slow, double u, Side side) {
+  return frame_of(local_at(near, slow, u, side), arrives_at(near.knot_vector(), u, side));
+}
 
 void curvature(const NurbsCurve& curve, std::span<const double> parameters, std::span<double> out, Side side) {
   bends(curve, parameters, out, side, "curvature", [](const Local& local) {

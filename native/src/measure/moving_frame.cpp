@@ -13,6 +13,7 @@
 
 #include "carried_frames.hpp"
 #include "finite_weights.hpp"
+#include "frenet_frame.hpp"
 #include "near_curve.hpp"
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
@@ -69,8 +70,8 @@ struct CarriedStep {
 /// A normal that is carried along one span after the other.
 class Carrier {
  public:
-  Carrier(const NurbsCurve& curve, const std::optional<Vector>& start)
-      : curve_(curve), short_(0x1p-30 * extent(curve.points())), step_(0x1p-40 * extent(curve.points())) {
+  Carrier(const NurbsCurve& curve, const SlowPlaces& slow, const std::optional<Vector>& start)
+      : curve_(curve), slow_(slow), step_(0x1p-22 * extent(curve.points())) {
     const int spans = static_cast<int>(curve.knot_vector().spans().size());
     for (int span = 0; span < spans && !is_number(tangent_); ++span) {
       tangent_ = tangent_at(curve.knot_vector().span_interval(span).start, Side::right, span);
@@ -129,11 +130,8 @@ class Carrier {
     std::array<Vector, 2> values;
     derivatives(curve_, {&u, 1}, 1, std::span(&values[0].x, 6), {.side = side});
     if (point) *point = values[0];
-    const double speed = glm::length(values[1]);
-    if (speed * curve_.knot_vector().span_interval(span).length() > short_) return values[1] / speed;
-    MovingFrame limit;
-    frenet_frames(curve_, {&u, 1}, {&limit, 1}, side);
-    return limit.tangent;
+    const bool is_slow = slow_.is_slow(values[1], curve_.knot_vector().span_interval(span).length());
+    return is_slow ? frenet_frame(curve_, slow_, u, side).tangent : glm::normalize(values[1]);
   }
 
   /// @param way_in  the tangent where the curve stands still
@@ -165,8 +163,7 @@ class Carrier {
 
   Vector own_normal() const {
     const double start = curve_.domain().start;
-    MovingFrame frenet;
-    frenet_frames(curve_, {&start, 1}, {&frenet, 1});
+    const MovingFrame frenet = frenet_frame(curve_, slow_, start, Side::right);
     if (is_number(frenet.normal) && is_bent(start)) return frenet.normal;
     int least = 0;
     for (int axis = 1; axis < 3; ++axis) {
@@ -230,10 +227,10 @@ class Carrier {
   int least_depth() const { return 2 + std::ilogb(static_cast<double>(curve_.degree())); }
 
   const NurbsCurve& curve_;
-  double short_;  ///< a speed by the span below which derivatives of higher order tell the direction
+  const SlowPlaces& slow_;
   int span_ = 0;      ///< the next one
   int halvings_ = 0;  ///< of steps on it
-  double step_;   ///< a chord that is no longer has no direction
+  double step_;   ///< a chord that is no longer has a direction that rounding shows
   Vector tangent_{std::numeric_limits<double>::quiet_NaN()};
   Vector normal_{0.0};
 };
@@ -285,7 +282,8 @@ void close_frames(const NurbsCurve& curve, std::span<const double> parameters, S
 class CarriedFrames::Carried {
  public:
   Carried(const NurbsCurve& curve, const CarriedFrame& how)
-      : curve_(curve), how_(how), near_(near_of(curve)), carrier_(near_.curve, how.start), first_(carrier_.frame()) {}
+      : curve_(curve), how_(how), near_(near_of(curve)), slow_(curve, near_), carrier_(near_.curve, slow_, how.start),
+        first_(carrier_.frame()) {}
 
   void write(std::span<const double> parameters, std::span<MovingFrame> out, Side side) {
     const std::vector<Query> queries = queries_of(near_, curve_.knot_vector(), parameters, side);
@@ -313,6 +311,7 @@ class CarriedFrames::Carried {
   NurbsCurve curve_;
   CarriedFrame how_;
   NearCurve near_;
+  SlowPlaces slow_;
   Carrier carrier_;
   MovingFrame first_;
   std::vector<std::vector<CarriedStep>> steps_;  ///< of the spans that were passed

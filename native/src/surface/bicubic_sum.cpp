@@ -15,6 +15,7 @@
 #include "greville.hpp"
 #include "homogeneous_places.hpp"
 #include "raised_knots.hpp"
+#include "run_back.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -269,8 +270,8 @@ NurbsCurve negative(const NurbsCurve& vectors) {
 /// A side that goes back along u or v, and whose derivative goes out there.
 LeftBorder opposite(const LeftBorder& border, bool is_back, bool is_out) {
   LeftBorder made = border;
-  if (is_back) made.curve = reversed(made.curve);
-  if (is_back && made.across) made.across = reversed(*made.across);
+  if (is_back) made.curve = run_back(made.curve);
+  if (is_back && made.across) made.across = run_back(*made.across);
   if (is_out && made.across) made.across = negative(*made.across);
   return made;
 }

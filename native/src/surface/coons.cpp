@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,12 +12,14 @@
 #include "border_loop.hpp"
 #include "greville.hpp"
 #include "meet/near_space.hpp"
+#include "run_back.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/curve/moebius.hpp"
+#include "splinecore/meet/nearest.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
 namespace splinecore {
@@ -123,6 +126,25 @@ double distance_of_curves(const NurbsCurve& a, const NurbsCurve& b, double size)
   return largest > kRounding * size ? largest : 0.0;
 }
 
+/// How far places in every span of a curve are from another one, which runs through it at another pace; 0 for rounding.
+double distance_from_curve(const NurbsCurve& given, const NurbsCurve& made, double size) {
+  constexpr int kInSpan = 12;
+  constexpr double kRounding = 1e-13;
+  std::vector<double> at;
+  for (std::size_t i = 0; i < given.knot_vector().spans().size(); ++i) {
+    const Interval span = given.knot_vector().span_interval(static_cast<int>(i));
+    for (int k = 0; k < kInSpan; ++k) at.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+  }
+  std::vector<glm::dvec3> points(at.size());
+  evaluate(given, at, {&points.front().x, 3 * at.size()}, {.at_infinity = AtInfinity::nan});
+  std::erase_if(points, [](const glm::dvec3& p) { return !std::isfinite(p.x + p.y + p.z); });
+  std::vector<NearestOnCurve> found(points.size());
+  nearest(made, points, found, 1);
+  double largest = 0.0;
+  for (const NearestOnCurve& one : found) largest = std::max(largest, one.distance);
+  return largest > kRounding * size ? largest : 0.0;
+}
+
 /// A derivative as vectors of the space, over [0, 1], as the side now runs.
 std::optional<NurbsCurve> entered(const std::optional<NurbsCurve>& across, std::size_t side, bool is_turned, double unit) {
   if (!across) return {};
@@ -132,7 +154,7 @@ std::optional<NurbsCurve> entered(const std::optional<NurbsCurve>& across, std::
   std::vector<glm::dvec4> vectors(across->points().begin(), across->points().end());
   for (glm::dvec4& p : vectors) p = glm::dvec4(glm::dvec3(p) / unit, 1.0);
   const NurbsCurve near = over_unit(clamped(across->with_points(std::move(vectors))));
-  return is_turned ? reversed(near) : near;
+  return is_turned ? run_back(near) : near;
 }
 
 /// @throws ToleranceNotReached for the side that is farthest off
@@ -152,6 +174,7 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
     throw InvalidShape(std::to_string(sides.size()) + " sides: three or four are needed");
   }
   BorderLoop loop = border_loop(sides, tolerance);
+  const std::vector<NurbsCurve> before = loop.curves;
   std::vector<glm::dvec4> all;
   for (NurbsCurve& side : loop.curves) {
     side = over_unit(side.rational() ? standard_form(side) : side);
@@ -159,16 +182,19 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
   }
   if (loop.curves.size() == 3) loop.curves.push_back(standing(glm::dvec3(loop.curves[2].points().back())));
   const NearSpace space(all);
-  const OppositeSides along_u(compatible(loop.curves[0], reversed(loop.curves[2])), space);
-  const OppositeSides along_v(compatible(reversed(loop.curves[3]), loop.curves[1]), space);
+  const OppositeSides along_u(compatible(loop.curves[0], run_back(loop.curves[2])), space);
+  const OppositeSides along_v(compatible(run_back(loop.curves[3]), loop.curves[1]), space);
   double size = 0.0;
   for (const glm::dvec4& p : all) size = std::max(size, length_of(glm::dvec3(p)));
   double error = loop.error;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i].rational()) error = std::max(error, distance_from_curve(before[i], loop.curves[i], size));
+  }
   const auto compare = [&](const NurbsCurve& given, const NurbsCurve& made) { error = std::max(error, distance_of_curves(given, made, size)); };
   compare(loop.curves[0], along_u.start);
   compare(loop.curves[1], along_v.end);
-  compare(reversed(loop.curves[2]), along_u.end);
-  compare(reversed(loop.curves[3]), along_v.start);
+  compare(run_back(loop.curves[2]), along_u.end);
+  compare(run_back(loop.curves[3]), along_v.start);
   return {bilinear_sum(along_u, along_v, space), error};
 }
 

@@ -73,7 +73,11 @@ class Longer {
     double low = 0.0;
     double step = 0.25 * knots.span_interval(static_cast<int>(knots.spans().size()) - 1).length();
     double reached = length(domain_.end + step);
-    while (reached > wanted) reached = length(domain_.end + (step *= 0.25));
+    while (reached > wanted) {
+      step *= 0.25;
+      if (!(domain_.end + step > domain_.end)) throw InvalidShape("the surface runs to infinity at its side: nothing goes on from there");
+      reached = length(domain_.end + step);
+    }
     for (int i = 0; reached < wanted; ++i) {
       if (i == kDoublings || !(reached > 0.0)) throw InvalidShape("the surface stands still at its side: nothing goes on from there");
       low = step;

@@ -1,7 +1,10 @@
 #include "extraordinary_fan.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <glm/geometric.hpp>
+#include <numbers>
 
 #include "greville.hpp"
 #include "regular_net.hpp"
@@ -65,7 +68,11 @@ class Fan {
     for (std::size_t k = 0; k < star_.count; ++k) claim_sides(claims, k);
     if (star_.is_open) claim_borders(claims);
     claims.add(0, kDegree, kDegree, limit(), 0);
-    const std::vector<glm::dvec3> points = solved_star(star_, claims.points());
+    std::vector<glm::dvec3> points = solved_star(star_, claims.points());
+    if (has_normal()) {
+      claim_normal(claims, points);
+      points = solved_star(star_, claims.points());
+    }
     std::vector<NurbsPatch> made;
     for (std::size_t k = 0; k < star_.count; ++k) {
       std::vector<glm::dvec4> net;
@@ -129,6 +136,80 @@ class Fan {
     for (std::size_t i = 0; i <= kDegree; ++i) {
       claims.add(0, i, kDegree, first[i], 0);
       claims.add(star_.count - 1, kDegree, i, last[i], 0);
+    }
+  }
+
+  /// Where an edge leads to, from the point, of which an open star has one more than faces.
+  glm::dvec3 edge(std::size_t k) const {
+    return (k < star_.count ? at(topology_.to(spoke(k))) : at(last_beside())) - at(point_);
+  }
+
+  /// To the corner across a face.
+  glm::dvec3 face(std::size_t k) const {
+    return at(topology_.side(topology_.next(topology_.next(spoke(k)))).from) - at(point_);
+  }
+
+  /// Where more than three faces meet on the border, what is across it comes closer no faster than what is along it: the
+  /// scheme has no tangent plane there.
+  bool has_normal() const { return !star_.is_open || star_.count == 3; }
+
+  /// Across both limit tangents of the surface at the point, but not of unit length.
+  glm::dvec3 limit_normal() const {
+    const std::array<glm::dvec3, 2> tangents = star_.is_open ? tangents_on_border() : tangents_inside();
+    const double size = glm::length(tangents[0]) * glm::length(tangents[1]);
+    return size > 0.0 ? glm::cross(tangents[0], tangents[1]) / size : glm::dvec3(0.0);
+  }
+
+  /// How much edges count beside faces, where those are as far apart as an angle says (Halstead, Kass and DeRose 1993).
+  static double edge_weight(double angle) {
+    return 1.0 + std::cos(angle) + std::cos(0.5 * angle) * std::sqrt(2.0 * (9.0 + std::cos(angle)));
+  }
+
+  std::array<glm::dvec3, 2> tangents_inside() const {
+    const double angle = 2.0 * std::numbers::pi / static_cast<double>(star_.count);
+    const double weight = edge_weight(angle);
+    std::array<glm::dvec3, 2> tangents{glm::dvec3(0.0), glm::dvec3(0.0)};
+    for (std::size_t k = 0; k < star_.count; ++k) {
+      const double a = angle * static_cast<double>(k);
+      tangents[0] += weight * std::cos(a) * edge(k) + (std::cos(a) + std::cos(a + angle)) * face(k);
+      tangents[1] += weight * std::sin(a) * edge(k) + (std::sin(a) + std::sin(a + angle)) * face(k);
+    }
+    return tangents;
+  }
+
+  /// Along the border, and across it: the left eigenvector of a round whose right one is 0 on the border.
+  std::array<glm::dvec3, 2> tangents_on_border() const {
+    const double angle = std::numbers::pi / static_cast<double>(star_.count);
+    const double weight = edge_weight(angle);
+    const double factor = (weight + 4.0) / 16.0;  // of a round
+    glm::dvec3 across(0.0);
+    double faces = 0.0;
+    double edges = 0.0;
+    for (std::size_t k = 0; k < star_.count; ++k) {
+      const double a = angle * static_cast<double>(k);
+      across += weight * std::sin(a) * edge(k) + (std::sin(a) + std::sin(a + angle)) * face(k);
+      edges += weight * std::sin(a);
+      faces += std::sin(a) + std::sin(a + angle);
+    }
+    // What ends of the border count with makes it an eigenvector, with that of the point itself.
+    const double beside = std::sin(angle) / 4.0 + weight * std::sin(angle) / 16.0;
+    const double own = faces / 4.0 + 3.0 * edges / 8.0;
+    const double end = (beside * (factor - 0.75) + own / 8.0) / ((factor - 0.5) * (factor - 0.75) - 0.125);
+    across += end * (edge(0) + edge(star_.count));
+    return {edge(star_.count) - edge(0), across};
+  }
+
+  /// The points next to the middle, as they were found, are moved into the tangent plane of the surface.
+  void claim_normal(StarClaims& claims, const std::vector<glm::dvec3>& points) const {
+    const glm::dvec3 normal = limit_normal();
+    const double size = glm::length(normal);
+    constexpr double kRounding = 0x1p-40;
+    if (!(size > kRounding)) return;
+    const glm::dvec3 middle = limit();
+    for (std::size_t k = 0; k + (star_.is_open ? 1 : 0) < star_.count; ++k) {
+      const glm::dvec3& found = points[star_.at(k, kDegree, kDegree - 1)];
+      const glm::dvec3 up = glm::dot(found - middle, normal) / size * (normal / size);
+      claims.add(k, kDegree, kDegree - 1, found - up, 0);
     }
   }
 

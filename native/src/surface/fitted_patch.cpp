@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <cstddef>
 #include <numbers>
 #include <optional>
@@ -80,8 +81,11 @@ class SurfaceFit {
 
   Approximation<NurbsPatch> within(double tolerance, std::size_t most) {
     for (;;) {
-      const Missed missed = missed_places(kSeen * tolerance);
-      if (missed.u.empty() && missed.v.empty()) return {*made_, missed.error / kSeen};
+      Missed missed = missed_places(kSeen * tolerance);
+      if (missed.u.empty() && missed.v.empty()) {
+        missed = looked_at_closely(missed, tolerance);
+        if (missed.u.empty()) return {*made_, std::min(tolerance, missed.error / kSeen)};
+      }
       if (made_->points().size() > most) {
         throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made_->points().size()) + " control points",
                                   tolerance, missed.error);
@@ -247,6 +251,50 @@ class SurfaceFit {
       if (misses_v[j]) missed.v.push_back(middles_v[j]);
     }
     return missed;
+  }
+
+  /// Between the places that were looked at, beside those where most is missed.
+  Missed looked_at_closely(Missed missed, double tolerance) const {
+    constexpr double kMuch = 0.7;
+    constexpr std::size_t kMost = 48;
+    const std::vector<double> u = inner_places(Axis::u, many_places(Axis::u));
+    const std::vector<double> v = inner_places(Axis::v, many_places(Axis::v));
+    const std::vector<double> off = distances(u, v);
+    std::vector<std::size_t> places;
+    for (std::size_t k = 0; k < off.size(); ++k) {
+      if (off[k] > kMuch * missed.error) places.push_back(k);
+    }
+    std::ranges::stable_sort(places, std::greater{}, [&](std::size_t k) { return off[k]; });
+    places.resize(std::min(places.size(), kMost));
+    for (const std::size_t k : places) {
+      const std::vector<double> beside_u = beside(u, k / v.size(), model_.knot_vector(Axis::u).domain());
+      const std::vector<double> beside_v = beside(v, k % v.size(), model_.knot_vector(Axis::v).domain());
+      const double most = std::ranges::max(distances(beside_u, beside_v));
+      missed.error = std::max(missed.error, most);
+      if (most <= tolerance) continue;
+      missed.u = {middle_at(Axis::u, u[k / v.size()])};
+      missed.v = {middle_at(Axis::v, v[k % v.size()])};
+      break;
+    }
+    return missed;
+  }
+
+  /// From the place before one to that behind it.
+  static std::vector<double> beside(const std::vector<double>& places, std::size_t i, const Interval& domain) {
+    constexpr int kSteps = 4;
+    const double before = i > 0 ? places[i - 1] : domain.start;
+    const double behind = i + 1 < places.size() ? places[i + 1] : domain.end;
+    std::vector<double> found;
+    for (int k = 0; k < kSteps && i > 0; ++k) found.push_back(before + (places[i] - before) * k / kSteps);
+    for (int k = 0; k <= kSteps; ++k) found.push_back(places[i] + (behind - places[i]) * k / kSteps);
+    return found;
+  }
+
+  /// Of the span that a place is in.
+  double middle_at(Axis axis, double at) const {
+    const KnotVector& knots = model_.knot_vector(axis);
+    const Interval span = knots.span_interval(knots.span_of(at, Side::right));
+    return span.start + 0.5 * span.length();
   }
 
   NurbsPatch model_;
