@@ -43,6 +43,10 @@ std::vector<splinecore::PointTangent> tangents_of(const py::object& value, std::
   return tangents;
 }
 
+bool is_calm(const py::object& parameters) {
+  return py::isinstance<py::str>(parameters) && py::cast<std::string>(parameters) == "calm";
+}
+
 AnyApproximation interpolate(const py::object& points, const py::object& degree, const py::object& parameters,
                              const py::object& knots, const py::object& ends, const py::object& start,
                              const py::object& end, const py::object& tangents, const py::object& closed) {
@@ -56,6 +60,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
   options.knots = optional_numbers(knots, "knots");
+  if (is_calm(parameters)) return wrap(unlocked([&] { return splinecore::interpolate(rows, options); }));
   const std::vector<double> at = curve_parameters(rows, parameters, options.degree, options.closing);
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }

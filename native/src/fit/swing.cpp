@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "base/length.hpp"
@@ -62,6 +63,33 @@ void add_places(std::vector<double>& places, double from, double to) {
   }
 }
 
+/// How much less each chord counts for every point that it is farther away: about as splines of degree 15 forget.
+constexpr double kFading = 0.75;
+
+/// The longest of the chords, as each place counts them.
+std::vector<double> faded(std::vector<double> chords, bool is_closed) {
+  const std::size_t count = chords.size();
+  const std::size_t rounds = is_closed ? 2 : 1;
+  double most = 0.0;
+  for (std::size_t k = 0; k < rounds * count; ++k) {
+    most = std::max(kFading * most, chords[k % count]);
+    chords[k % count] = most;
+  }
+  most = 0.0;
+  for (std::size_t k = rounds * count; k-- > 0;) {
+    most = std::max(kFading * most, chords[k % count]);
+    chords[k % count] = most;
+  }
+  return chords;
+}
+
+double distance_to_chord(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+  const double length = distance_of(a, b);
+  if (!(length > 0.0)) return distance_of(point, a);
+  const glm::dvec3 direction = (b - a) / length;
+  return distance_of(point, a + std::clamp(glm::dot(point - a, direction), 0.0, length) * direction);
+}
+
 /// What lies around a cell of a grid.
 double size_around(const PointGrid& grid, const PointWindow& along_u, const PointWindow& along_v) {
   PointBox extent(grid.points[along_u.first * grid.count_v + along_v.first]);
@@ -115,6 +143,37 @@ bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
     }
   }
   return true;
+}
+
+double swing_of(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<const double> parameters) {
+  constexpr std::size_t kEach = 4;
+  constexpr std::size_t kTogether = 64;
+  const std::size_t count = points.size();
+  const std::size_t steps = parameters.size() - 1;
+  std::vector<double> chords(steps);
+  for (std::size_t i = 0; i < steps; ++i) chords[i] = distance_of(points[i], points[(i + 1) % count]);
+  chords = faded(std::move(chords), curve.periodic());
+  std::vector<double> places;
+  std::vector<glm::dvec3> found;
+  double largest = 0.0;
+  for (std::size_t first = 0; first < steps; first += kTogether) {
+    const std::size_t end = std::min(first + kTogether, steps);
+    breathe(64 * (end - first));
+    places.clear();
+    for (std::size_t i = first; i < end; ++i) {
+      for (std::size_t k = 0; k < kEach; ++k) {
+        places.push_back(parameters[i] + (static_cast<double>(k) + 0.5) / kEach * (parameters[i + 1] - parameters[i]));
+      }
+    }
+    found.resize(places.size());
+    evaluate(curve, places, {&found.front().x, 3 * found.size()});
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      const std::size_t i = first + k / kEach;
+      const double away = distance_to_chord(found[k], points[i], points[(i + 1) % count]);
+      if (away > 0.0) largest = std::max(largest, away / chords[i]);
+    }
+  }
+  return largest;
 }
 
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,

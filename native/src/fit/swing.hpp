@@ -26,6 +26,10 @@ inline constexpr double kWide = 4.0;
 bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<const double> parameters,
                 const Swing& swing);
 
+/// How far a curve lies from the chord between two of its points, at some places between each two, beside the longest chord,
+/// of which each counts three quarters as much for every point that it is farther away.
+double swing_of(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<const double> parameters);
+
 /// The same of a patch beside the bilinear pieces between the points of a grid.
 /// @param u, v  as many parameters as rows of points, and where closed one more for the return
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
