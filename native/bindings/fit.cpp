@@ -60,7 +60,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
   options.knots = optional_numbers(knots, "knots");
-  if (is_calm(parameters)) return wrap(unlocked([&] { return splinecore::interpolate(rows, options); }));
+  if (is_calm(parameters)) return wrap(unlocked([&] { return splinecore::interpolate_calmly(rows, options); }));
   const std::vector<double> at = curve_parameters(rows, parameters, options.degree, options.closing);
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }
@@ -72,14 +72,16 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
   const PointGrid grid{given.points(), given.count(0), given.count(1)};
   const GridArguments given_both(grid, degrees, parameters, knots, closed);
   const auto end = both(ends, "ends");
+  const auto both_parameters = both(parameters, "parameters");
   const auto direction = [&](Axis axis) {
     auto made = given_both.direction<FitDirection>(axis);
     made.ends = ends_of(GridArguments::of(end, axis));
+    if (is_calm(GridArguments::of(both_parameters, axis))) made.parameters.clear();
     return made;
   };
   const FitDirection u = direction(Axis::u);
   const FitDirection v = direction(Axis::v);
-  return wrap(unlocked([&] { return splinecore::interpolate(grid, u, v); }, cancel));
+  return wrap(unlocked([&] { return splinecore::interpolate_calmly(grid, u, v); }, cancel));
 }
 
 }  // namespace

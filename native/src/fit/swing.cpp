@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <vector>
 
@@ -21,18 +20,26 @@ constexpr std::size_t kPatchPlaces = 3;
 
 glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double share) { return a + share * (b - a); }
 
-/// A box around points.
-struct PointBox {
-  glm::dvec3 low;
-  glm::dvec3 high;
+/// A ball around the mean of points: whichever way they are turned, it is as large.
+class PointBall {
+ public:
+  void add(const glm::dvec3& point) { points_.push_back(point); }
 
-  explicit PointBox(const glm::dvec3& point) : low(point), high(point) {}
-  void add(const glm::dvec3& point) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
+  void close() {
+    center_ = glm::dvec3(0.0);
+    const double share = 1.0 / static_cast<double>(points_.size());
+    for (const glm::dvec3& point : points_) center_ += share * point;
+    radius_ = 0.0;
+    for (const glm::dvec3& point : points_) radius_ = std::max(radius_, distance_of(point, center_));
   }
-  double size() const { return distance_of(low, high); }
-  double distance_to(const glm::dvec3& point) const { return distance_of(point, glm::clamp(point, low, high)); }
+
+  double width() const { return 2.0 * radius_; }
+  double distance_to(const glm::dvec3& point) const { return std::max(distance_of(point, center_) - radius_, 0.0); }
+
+ private:
+  std::vector<glm::dvec3> points_;
+  glm::dvec3 center_{0.0};
+  double radius_ = 0.0;
 };
 
 /// Indices first - reach … last + reach of `count` rows: of closed ones around the seam.
@@ -92,14 +99,75 @@ double distance_to_chord(const glm::dvec3& point, const glm::dvec3& a, const glm
 
 /// What lies around a cell of a grid.
 double size_around(const PointGrid& grid, const PointWindow& along_u, const PointWindow& along_v) {
-  PointBox extent(grid.points[along_u.first * grid.count_v + along_v.first]);
+  PointBall ball;
   for (std::size_t a = 0; a < along_u.number; ++a) {
     const std::size_t i = (along_u.first + a) % grid.count_u;
     for (std::size_t b = 0; b < along_v.number; ++b) {
-      extent.add(grid.points[i * grid.count_v + (along_v.first + b) % grid.count_v]);
+      ball.add(grid.points[i * grid.count_v + (along_v.first + b) % grid.count_v]);
     }
   }
-  return extent.size();
+  ball.close();
+  return ball.width();
+}
+
+const glm::dvec3& point_at(const PointGrid& grid, std::size_t i, std::size_t j) {
+  return grid.points[i % grid.count_u * grid.count_v + j % grid.count_v];
+}
+
+/// Calls look(i, j, away) with how far the patch leaves the bilinear piece of each cell, until that is false.
+template <class Look>
+bool for_each_cell(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
+                   const Look& look) {
+  constexpr std::size_t kEach = kPatchPlaces + 1;
+  std::vector<double> across;
+  for (std::size_t j = 0; j + 1 < v.size(); ++j) add_places<kPatchPlaces>(across, v[j], v[j + 1]);
+  std::vector<glm::dvec3> found(kEach * across.size());
+  std::vector<double> along;
+  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
+    along.clear();
+    add_places<kPatchPlaces>(along, u[i], u[i + 1]);
+    evaluate_grid(patch, along, across, {&found.front().x, 3 * found.size()});
+    for (std::size_t j = 0; j + 1 < v.size(); ++j) {
+      double farthest = 0.0;
+      for (std::size_t a = 0; a < kEach; ++a) {
+        const double share = static_cast<double>(a) / kEach;
+        const glm::dvec3 left = between(point_at(grid, i, j), point_at(grid, i + 1, j), share);
+        const glm::dvec3 right = between(point_at(grid, i, j + 1), point_at(grid, i + 1, j + 1), share);
+        for (std::size_t b = 0; b < kEach; ++b) {
+          const glm::dvec3 wanted = between(left, right, static_cast<double>(b) / kEach);
+          farthest = std::max(farthest, distance_of(found[a * across.size() + j * kEach + b], wanted));
+        }
+      }
+      if (!look(i, j, farthest)) return false;
+    }
+  }
+  return true;
+}
+
+/// Of each cell the longest side, as each counts there.
+std::vector<double> faded_sides(const NurbsPatch& patch, const PointGrid& grid, std::size_t cells_u, std::size_t cells_v) {
+  std::vector<double> sides(cells_u * cells_v);
+  for (std::size_t i = 0; i < cells_u; ++i) {
+    for (std::size_t j = 0; j < cells_v; ++j) {
+      const glm::dvec3& a = point_at(grid, i, j);
+      const glm::dvec3& b = point_at(grid, i + 1, j);
+      const glm::dvec3& c = point_at(grid, i, j + 1);
+      const glm::dvec3& d = point_at(grid, i + 1, j + 1);
+      sides[i * cells_v + j] = std::max({distance_of(a, b), distance_of(a, c), distance_of(b, d), distance_of(c, d)});
+    }
+  }
+  for (std::size_t i = 0; i < cells_u; ++i) {
+    std::vector<double> row(&sides[i * cells_v], &sides[i * cells_v] + cells_v);
+    row = faded(std::move(row), patch.knot_vector(Axis::v).periodic());
+    std::ranges::copy(row, &sides[i * cells_v]);
+  }
+  for (std::size_t j = 0; j < cells_v; ++j) {
+    std::vector<double> column;
+    for (std::size_t i = 0; i < cells_u; ++i) column.push_back(sides[i * cells_v + j]);
+    column = faded(std::move(column), patch.knot_vector(Axis::u).periodic());
+    for (std::size_t i = 0; i < cells_u; ++i) sides[i * cells_v + j] = column[i];
+  }
+  return sides;
 }
 
 std::vector<double> places_of(const KnotVector& knots) {
@@ -136,10 +204,11 @@ bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
       }
       if (farthest <= swing.tolerance) continue;
       const PointWindow window(i, reach, count, curve.periodic());
-      PointBox extent(points[window.first]);
+      PointBall ball;
       breathe(8 * window.number);
-      for (std::size_t k = 1; k < window.number; ++k) extent.add(points[(window.first + k) % count]);
-      if (!(farthest <= swing.tolerance + swing.most * extent.size())) return false;
+      for (std::size_t k = 0; k < window.number; ++k) ball.add(points[(window.first + k) % count]);
+      ball.close();
+      if (!(farthest <= swing.tolerance + swing.most * ball.width())) return false;
     }
   }
   return true;
@@ -176,53 +245,40 @@ double swing_of(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
   return largest;
 }
 
+double swing_of(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v) {
+  const std::vector<double> sides = faded_sides(patch, grid, u.size() - 1, v.size() - 1);
+  double largest = 0.0;
+  for_each_cell(patch, grid, u, v, [&](std::size_t i, std::size_t j, double away) {
+    if (away > 0.0) largest = std::max(largest, away / sides[i * (v.size() - 1) + j]);
+    return true;
+  });
+  return largest;
+}
+
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
                 const Swing& swing) {
-  constexpr std::size_t kEach = kPatchPlaces + 1;
   const auto reach_u = static_cast<std::size_t>(patch.knot_vector(Axis::u).degree());
   const auto reach_v = static_cast<std::size_t>(patch.knot_vector(Axis::v).degree());
-  std::vector<double> across;
-  for (std::size_t j = 0; j + 1 < v.size(); ++j) add_places<kPatchPlaces>(across, v[j], v[j + 1]);
-  std::vector<glm::dvec3> found(kEach * across.size());
-  std::vector<double> along;
-  const auto at = [&](std::size_t i, std::size_t j) {
-    return grid.points[i % grid.count_u * grid.count_v + j % grid.count_v];
-  };
-  for (std::size_t i = 0; i + 1 < u.size(); ++i) {
-    along.clear();
-    add_places<kPatchPlaces>(along, u[i], u[i + 1]);
-    evaluate_grid(patch, along, across, {&found.front().x, 3 * found.size()});
-    for (std::size_t j = 0; j + 1 < v.size(); ++j) {
-      double farthest = 0.0;
-      for (std::size_t a = 0; a < kEach; ++a) {
-        const double share = static_cast<double>(a) / kEach;
-        const glm::dvec3 left = between(at(i, j), at(i + 1, j), share);
-        const glm::dvec3 right = between(at(i, j + 1), at(i + 1, j + 1), share);
-        for (std::size_t b = 0; b < kEach; ++b) {
-          const glm::dvec3 wanted = between(left, right, static_cast<double>(b) / kEach);
-          farthest = std::max(farthest, distance_of(found[a * across.size() + j * kEach + b], wanted));
-        }
-      }
-      if (farthest <= swing.tolerance) continue;
-      breathe(16 * (reach_u + 1) * (reach_v + 1));
-      const PointWindow along_u(i, reach_u, grid.count_u, patch.knot_vector(Axis::u).periodic());
-      const PointWindow along_v(j, reach_v, grid.count_v, patch.knot_vector(Axis::v).periodic());
-      if (!(farthest <= swing.tolerance + swing.most * size_around(grid, along_u, along_v))) return false;
-    }
-  }
-  return true;
+  return for_each_cell(patch, grid, u, v, [&](std::size_t i, std::size_t j, double away) {
+    if (away <= swing.tolerance) return true;
+    breathe(16 * (reach_u + 1) * (reach_v + 1));
+    const PointWindow along_u(i, reach_u, grid.count_u, patch.knot_vector(Axis::u).periodic());
+    const PointWindow along_v(j, reach_v, grid.count_v, patch.knot_vector(Axis::v).periodic());
+    return away <= swing.tolerance + swing.most * size_around(grid, along_u, along_v);
+  });
 }
 
 bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most) {
-  PointBox extent(points.front());
-  for (const glm::dvec3& point : points) extent.add(point);
-  const double reach = most * extent.size();
+  PointBall ball;
+  for (const glm::dvec3& point : points) ball.add(point);
+  ball.close();
+  const double reach = most * ball.width();
   const std::vector<double> across = places_of(patch.knot_vector(Axis::v));
   std::vector<glm::dvec3> found(across.size());
   for (const double u : places_of(patch.knot_vector(Axis::u))) {
     evaluate_grid(patch, {&u, 1}, across, {&found.front().x, 3 * found.size()});
     for (const glm::dvec3& point : found) {
-      if (!(extent.distance_to(point) <= reach)) return false;
+      if (!(ball.distance_to(point) <= reach)) return false;
     }
   }
   return true;

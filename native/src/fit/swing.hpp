@@ -30,12 +30,15 @@ bool stays_near(const NurbsCurve& curve, std::span<const glm::dvec3> points, std
 /// of which each counts three quarters as much for every point that it is farther away.
 double swing_of(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::span<const double> parameters);
 
-/// The same of a patch beside the bilinear pieces between the points of a grid.
+/// The same of a patch through a grid, beside the bilinear pieces between its points and the longest sides of these.
+double swing_of(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v);
+
+/// Whether a patch stays near the bilinear pieces between the points of a grid.
 /// @param u, v  as many parameters as rows of points, and where closed one more for the return
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
                 const Swing& swing);
 
-/// Whether a patch stays near scattered points: no farther from the box around them than so many times its size.
+/// Whether a patch stays near scattered points: no farther from the ball around them than so many times its width.
 bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most);
 
 }  // namespace splinecore

@@ -59,6 +59,6 @@ Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::s
 /// knots, at the tops of their Chebyshev spline, through values at which goes no spline that is more than three times as
 /// large, of whatever degree (Demko 1985).
 /// @throws InvalidShape as both do
-Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, const InterpolationOptions& options = {});
+Approximation<NurbsCurve> interpolate_calmly(std::span<const glm::dvec3> points, const InterpolationOptions& options = {});
 
 }  // namespace splinecore
