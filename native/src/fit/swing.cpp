@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <vector>
 
 #include "base/length.hpp"
+#include "spread.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/evaluate.hpp"
@@ -34,11 +36,44 @@ class PointBall {
   }
 
   double width() const { return 2.0 * radius_; }
-  double distance_to(const glm::dvec3& point) const { return std::max(distance_of(point, center_) - radius_, 0.0); }
 
  private:
   std::vector<glm::dvec3> points_;
   glm::dvec3 center_{0.0};
+  double radius_ = 0.0;
+};
+
+/// The least thick disk around the mean of points, whose axis is where they spread least.
+class PointDisk {
+ public:
+  explicit PointDisk(std::span<const glm::dvec3> points) {
+    const double share = 1.0 / static_cast<double>(points.size());
+    for (const glm::dvec3& point : points) center_ += share * point;
+    std::vector<glm::dvec3> about;
+    for (const glm::dvec3& point : points) about.push_back(point - center_);
+    axis_ = least_spread(about);
+    for (const glm::dvec3& point : about) {
+      const double height = glm::dot(point, axis_);
+      low_ = std::min(low_, height);
+      high_ = std::max(high_, height);
+      radius_ = std::max(radius_, length_of(point - height * axis_));
+    }
+  }
+
+  double width() const { return 2.0 * radius_; }
+
+  double distance_to(const glm::dvec3& point) const {
+    const glm::dvec3 about = point - center_;
+    const double height = glm::dot(about, axis_);
+    const double beside = std::max(length_of(about - height * axis_) - radius_, 0.0);
+    return std::hypot(beside, std::max({0.0, low_ - height, height - high_}));
+  }
+
+ private:
+  glm::dvec3 center_{0.0};
+  glm::dvec3 axis_{0.0};
+  double low_ = 0.0;
+  double high_ = 0.0;
   double radius_ = 0.0;
 };
 
@@ -269,16 +304,14 @@ bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const 
 }
 
 bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most) {
-  PointBall ball;
-  for (const glm::dvec3& point : points) ball.add(point);
-  ball.close();
-  const double reach = most * ball.width();
+  const PointDisk disk(points);
+  const double reach = most * disk.width();
   const std::vector<double> across = places_of(patch.knot_vector(Axis::v));
   std::vector<glm::dvec3> found(across.size());
   for (const double u : places_of(patch.knot_vector(Axis::u))) {
     evaluate_grid(patch, {&u, 1}, across, {&found.front().x, 3 * found.size()});
     for (const glm::dvec3& point : found) {
-      if (!(ball.distance_to(point) <= reach)) return false;
+      if (!(disk.distance_to(point) <= reach)) return false;
     }
   }
   return true;

@@ -20,6 +20,10 @@ struct Swing {
 inline constexpr double kCalm = 1.0;
 inline constexpr double kWide = 4.0;
 
+/// The same of patches beside the disk around scattered points.
+inline constexpr double kCalmAround = 0.125;
+inline constexpr double kWideAround = 0.25;
+
 /// Whether a curve stays near the polygon of its points between them. The neighborhood of a place are `degree` points on
 /// each side of it. What swings farther follows rounding or noise, not the points.
 /// @param parameters  of the points, in order; where closed one more for the return
@@ -38,7 +42,8 @@ double swing_of(const NurbsPatch& patch, const PointGrid& grid, std::span<const 
 bool stays_near(const NurbsPatch& patch, const PointGrid& grid, std::span<const double> u, std::span<const double> v,
                 const Swing& swing);
 
-/// Whether a patch stays near scattered points: no farther from the ball around them than so many times its width.
+/// Whether a patch stays near scattered points: no farther from the disk around them, which is
+/// as thick as they are, than so many times its width.
 bool stays_near(const NurbsPatch& patch, std::span<const glm::dvec3> points, double most);
 
 }  // namespace splinecore
