@@ -237,7 +237,7 @@ Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::s
   require_options(points, options);
   require_scattered(points, parameters, u, v);
   const UnitPoints unit = unit_points(points);
-  return in_place(fitted(unit.points, parameters, u, v, scaled(options), kWideAround), unit);
+  return in_place(fitted(unit.points, parameters, u, v, scaled(options), kMostAround), unit);
 }
 
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
