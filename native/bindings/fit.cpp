@@ -43,6 +43,10 @@ std::vector<splinecore::PointTangent> tangents_of(const py::object& value, std::
   return tangents;
 }
 
+bool is_calm(const py::object& parameters) {
+  return py::isinstance<py::str>(parameters) && py::cast<std::string>(parameters) == "calm";
+}
+
 AnyApproximation interpolate(const py::object& points, const py::object& degree, const py::object& parameters,
                              const py::object& knots, const py::object& ends, const py::object& start,
                              const py::object& end, const py::object& tangents, const py::object& closed) {
@@ -56,6 +60,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
   options.knots = optional_numbers(knots, "knots");
+  if (is_calm(parameters)) return wrap(unlocked([&] { return splinecore::interpolate_calmly(rows, options); }));
   const std::vector<double> at = curve_parameters(rows, parameters, options.degree, options.closing);
   return wrap(unlocked([&] { return splinecore::interpolate(rows, at, options); }));
 }
@@ -67,14 +72,16 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
   const PointGrid grid{given.points(), given.count(0), given.count(1)};
   const GridArguments given_both(grid, degrees, parameters, knots, closed);
   const auto end = both(ends, "ends");
+  const auto both_parameters = both(parameters, "parameters");
   const auto direction = [&](Axis axis) {
     auto made = given_both.direction<FitDirection>(axis);
     made.ends = ends_of(GridArguments::of(end, axis));
+    if (is_calm(GridArguments::of(both_parameters, axis))) made.parameters.clear();
     return made;
   };
   const FitDirection u = direction(Axis::u);
   const FitDirection v = direction(Axis::v);
-  return wrap(unlocked([&] { return splinecore::interpolate(grid, u, v); }, cancel));
+  return wrap(unlocked([&] { return splinecore::interpolate_calmly(grid, u, v); }, cancel));
 }
 
 }  // namespace
@@ -88,7 +95,10 @@ void bind_fit(py::module_& module) {
           "the largest distance from a point that rounding left. Lecture row S17.\n\n"
           "parameters: 'calm', steps with which the curve stays near its points however uneven their distances are: the\n"
           "roots of the distances up to degree 3 (Lee 1989), fourth roots of degree 4, eighth roots of degree 5, equal ones\n"
-          "above, all in such proportion that they end at the length of the polygon;\n"
+          "above, all in such proportion that they end at the length of the polygon. Unless knots, derivatives or other ends are\n"
+          "given the curve keeps nearer to the chord between two points than the longest chord is long, of which each counts\n"
+          "three quarters as much for every point that it is farther away; one that does not gets even steps and, if open,\n"
+          "even knots, with steps that are shorter towards the ends (Demko 1985);\n"
           "'uniform', 'centripetal', 'chordal' or increasing ones, for each point and if closed one more.\n"
           "knots: all of them, where closed one period; else they are chosen by ends: 'averaged', averages of degree\n"
           "parameters each (The NURBS Book, eq. 9.8); 'not_a_knot', at the points but for those next to the ends;\n"
@@ -108,7 +118,8 @@ void bind_fit(py::module_& module) {
           "direction (The NURBS Book, §9.2.5). Lecture rows S17, S20.\n\n"
           "Every other argument is one value for both directions or a pair, for u and v, of what interpolate() takes.\n"
           "parameters: 'calm', by those points of two rows that lie farthest apart, steps of fourth roots up to degree 3,\n"
-          "16th roots of degree 4, 64th roots of degree 5, equal ones above; 'uniform'; or 'centripetal' or\n"
+          "16th roots of degree 4, 64th roots of degree 5, equal ones above, or others where the patch would leave its points\n"
+          "by more than three sides of the cells, as of interpolate(); 'uniform'; or 'centripetal' or\n"
           "'chordal', whose shares are averaged over the rows that are not\n"
           "a single point and end at their mean length (A9.3), or increasing numbers for each row, (nu,) and (nv,), and\n"
           "where closed one more. knots, ends, closed: as of interpolate(); None chooses knots by ends.\n\n"

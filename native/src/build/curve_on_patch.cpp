@@ -64,19 +64,23 @@ class ImageAxis {
  private:
   static bool closes(const NurbsPatch& patch, Axis axis) {
     const Axis other = axis == Axis::u ? Axis::v : Axis::u;
-    const Interval across = patch.knot_vector(other).domain();
     const Interval along = patch.knot_vector(axis).domain();
+    const KnotVector& across = patch.knot_vector(other);
     const NearSpace space(patch.points());
-    constexpr int kLooks = 9;
-    for (int i = 0; i < kLooks; ++i) {
-      const double w = across.start + across.length() * i / (kLooks - 1);
-      std::array<glm::dvec3, 2> ends;
-      const std::array<double, 2> along_both{along.start, along.end};
-      const std::array<double, 2> across_both{w, w};
-      evaluate(patch, axis == Axis::u ? along_both : across_both, axis == Axis::u ? across_both : along_both,
-               std::span(&ends[0].x, 6), {.at_infinity = AtInfinity::nan});
-      constexpr double kSame = 0x1p-40;
-      if (!(distance_of(ends[0], ends[1]) <= space.length(kSame))) return false;
+    // Quotients of polynomials that are the same at so many places of a span are the same.
+    const int looks = 2 * across.degree() + 1;
+    const std::array<double, 2> along_both{along.start, along.end};
+    for (int span = 0; span < static_cast<int>(across.spans().size()); ++span) {
+      const Interval part = across.span_interval(span);
+      for (int i = 0; i < looks; ++i) {
+        const double w = i + 1 == looks ? part.end : part.start + part.length() * i / (looks - 1);
+        std::array<glm::dvec3, 2> ends;
+        const std::array<double, 2> across_both{w, w};
+        evaluate(patch, axis == Axis::u ? along_both : across_both, axis == Axis::u ? across_both : along_both,
+                 std::span(&ends[0].x, 6), {.at_infinity = AtInfinity::nan});
+        constexpr double kSame = 0x1p-40;
+        if (!(distance_of(ends[0], ends[1]) <= space.length(kSame))) return false;
+      }
     }
     return true;
   }

@@ -200,7 +200,7 @@ std::optional<ScatteredFit> stiffened(const ScatteredTask& task, const NetSize& 
   for (const double smoothing : kSmoothings) {
     if (smoothing <= task.options.smoothing) break;
     try {
-      ScatteredFit made = fit_of(task, size, smoothing, kCalm);
+      ScatteredFit made = fit_of(task, size, smoothing, kCalmAround);
       const bool is_within = made.error <= task.tolerance;
       if (!best || made.error < best->error) best = std::move(made);
       if (is_within) break;
@@ -224,9 +224,9 @@ std::optional<ScatteredFit> plain(const ScatteredTask& task, const NetSize& size
 
 /// By the points alone, or with energy; where both swing by the points alone as far as is still taken.
 std::optional<ScatteredFit> nearest_of(const ScatteredTask& task, const NetSize& size, std::string& reason) {
-  auto made = plain(task, size, kCalm, reason);
+  auto made = plain(task, size, kCalmAround, reason);
   if (!made) made = stiffened(task, size);
-  if (!made) made = plain(task, size, kWide, reason);
+  if (!made) made = plain(task, size, kWideAround, reason);
   return made;
 }
 
@@ -237,7 +237,7 @@ Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::s
   require_options(points, options);
   require_scattered(points, parameters, u, v);
   const UnitPoints unit = unit_points(points);
-  return in_place(fitted(unit.points, parameters, u, v, scaled(options), kWide), unit);
+  return in_place(fitted(unit.points, parameters, u, v, scaled(options), kMostAround), unit);
 }
 
 Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,

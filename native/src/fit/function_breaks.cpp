@@ -104,7 +104,7 @@ std::vector<glm::dvec3> looked_at(const CurveFunction& function, std::span<const
 }
 
 std::vector<FunctionPart> first_parts(std::span<const double> breaks) {
-  constexpr int kEach = 4;
+  constexpr int kEach = 16;
   std::vector<FunctionPart> parts;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     double start = breaks[i];

@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,27 +6,12 @@
 #include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/fit/approximate_patch.hpp"
+#include "spread.hpp"
 #include "unit_points.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// The direction in which points spread least, with its upper side up.
-glm::dvec3 normal_of(std::span<const glm::dvec3> points) {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const glm::dvec3& point : points) {
-    const Eigen::Vector3d at(point.x, point.y, point.z);
-    spread += at * at.transpose();
-  }
-  const Eigen::Vector3d least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-  const glm::dvec3 normal(least.x(), least.y(), least.z());
-  constexpr double kTells = 1e-9;
-  for (const int axis : {2, 0, 1}) {
-    if (std::abs(normal[axis]) > kTells) return normal[axis] > 0.0 ? normal : -normal;
-  }
-  return normal;
-}
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -103,7 +87,7 @@ std::vector<glm::dvec2> plane_parameters(std::span<const glm::dvec3> points) {
   constexpr double kThin = 1e-7;
   require_finite(points, "points");
   const UnitPoints unit = unit_points(points);
-  const glm::dvec3 normal = normal_of(unit.points);
+  const glm::dvec3 normal = least_spread(unit.points);
   const glm::dvec3 away = std::abs(normal.x) > 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(away - glm::dot(away, normal) * normal);
   const glm::dvec3 y = glm::cross(normal, x);

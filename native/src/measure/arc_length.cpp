@@ -37,19 +37,19 @@ class PartLength {
     return length_of(glm::dvec3(slope)) / (t * w * w);
   }
 
-  /// Where the length is this one.
+  /// Where the length is this one. Newton's steps that have not come there for long give way to halving, which does.
   double place_of(double length) {
-    constexpr int kMostSteps = 120;
+    constexpr int kMostSlopes = 120;
     const double enough = 0x1p-51 * part_.length;
     double low = 0.0;
     double high = 1.0;
     double t = std::clamp(length / part_.length, 0.0, 1.0);
-    for (int step = 0; step < kMostSteps && t > low && t < high; ++step) {
+    for (int step = 0; t > low && t < high; ++step) {
       const double rest = length - up_to(t);
       if (std::abs(rest) <= enough) break;
       (rest > 0.0 ? low : high) = t;
       const double next = t + rest / speed(t);
-      t = next > low && next < high ? next : low + 0.5 * (high - low);
+      t = step < kMostSlopes && next > low && next < high ? next : low + 0.5 * (high - low);
     }
     return t;
   }

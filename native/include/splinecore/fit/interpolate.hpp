@@ -53,4 +53,12 @@ std::vector<double> calm_parameters(std::span<const glm::dvec3> points, int degr
 Approximation<NurbsCurve> interpolate(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                       const InterpolationOptions& options = {});
 
+/// The same at calm_parameters(). Where neither knots nor derivatives nor other ends are given the curve stays near its points:
+/// between two of them no farther from their chord than the longest chord, of which each counts three quarters as much
+/// for every point that it is farther away. What swings wider at those parameters gets even ones: where open on even
+/// knots, at the tops of their Chebyshev spline, through values at which goes no spline that is more than three times as
+/// large, of whatever degree (Demko 1985).
+/// @throws InvalidShape as both do
+Approximation<NurbsCurve> interpolate_calmly(std::span<const glm::dvec3> points, const InterpolationOptions& options = {});
+
 }  // namespace splinecore

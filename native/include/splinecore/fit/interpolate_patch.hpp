@@ -49,4 +49,10 @@ std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree
 ///         its coordinates is not finite.
 Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection& u, const FitDirection& v);
 
+/// The same at calm_parameters() in directions without parameters. Where these have no knots and no other ends either, the
+/// patch stays near its points, as curves do: within three of the longest sides beside a cell. What swings wider gets even
+/// parameters and knots there, those of open directions at the tops of their Chebyshev spline.
+/// @throws InvalidShape as both do
+Approximation<NurbsPatch> interpolate_calmly(const PointGrid& grid, FitDirection u, FitDirection v);
+
 }  // namespace splinecore
