@@ -31,20 +31,27 @@ void BernsteinNet<Value>::cut(Axis axis, double t, BernsteinNet& after) {
   after.columns = columns;
   after.values.resize(values.size());
   const double s = 1.0 - t;
-  for (std::size_t line = 0; line < along.lines; ++line) {
-    Value* const before = values.data() + line * along.next;
-    Value* const behind = after.values.data() + line * along.next;
-    const std::size_t last = along.size - 1;
-    // The line becomes the first points of all levels of the triangle; the last ones go behind.
-    behind[last * along.step] = before[last * along.step];
+  const std::size_t last = along.size - 1;
+  // Each line becomes the first points of all levels of the triangle; the last ones go behind.
+  const auto copy_end = [&](std::size_t level, std::size_t first, std::size_t count) {
+    for (std::size_t line = first; line < first + count; ++line) {
+      after.values[line * along.next + (last - level) * along.step] = values[line * along.next + last * along.step];
+    }
+  };
+  const auto mix = [&](std::size_t i, std::size_t first, std::size_t count) {
+    const Value* const above = values.data() + (i - 1) * along.step;
+    Value* const own = values.data() + i * along.step;
+    for (std::size_t line = first; line < first + count; ++line) {
+      own[line * along.next] = s * above[line * along.next] + t * own[line * along.next];
+    }
+  };
+  // Lines side by side in memory are cut together, others one by one.
+  const std::size_t together = along.next == 1 ? along.lines : 1;
+  for (std::size_t first = 0; first < along.lines; first += together) {
+    copy_end(0, first, together);
     for (std::size_t level = 1; level <= last; ++level) {
-      Value above = before[(level - 1) * along.step];
-      for (std::size_t i = level; i <= last; ++i) {
-        const Value own = before[i * along.step];
-        before[i * along.step] = s * above + t * own;
-        above = own;
-      }
-      behind[(last - level) * along.step] = before[last * along.step];
+      for (std::size_t i = last; i >= level; --i) mix(i, first, together);
+      copy_end(level, first, together);
     }
   }
 }

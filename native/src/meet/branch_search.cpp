@@ -12,6 +12,8 @@ namespace splinecore {
 namespace {
 
 constexpr std::size_t kMostLooks = std::size_t{1} << 20;
+/// So many of its sizes beyond a part a place of it is looked for.
+constexpr double kBeyond = 1.0;
 
 }  // namespace
 
@@ -22,9 +24,17 @@ void BranchSearch::explore(const CrossingPart& part) {
                        " pairs of parts are neither apart nor on a curve that was found");
   }
   if (are_apart(part.a, part.b, slack_) || are_edges_apart(part.a, part.b, slack_)) return;
+  if (are_heights_apart(part)) return;
   const std::vector<Interval> gaps = traced_.gaps(part);
   if (gaps.size() == 1 && gaps.front() == part.range(part.lead)) return search(part);
   for (const Interval& gap : gaps) explore(within(part, part.lead, gap));
+}
+
+/// Parts whose normals do not differ are told by what their heights do.
+bool BranchSearch::are_heights_apart(const CrossingPart& part) const {
+  if (do_normals_differ(part.a, part.b)) return false;
+  const auto difference = height_difference(part.a, part.b, slack_);
+  return difference && difference->are_apart(slack_);
 }
 
 /// Looks for a curve in a part in which none is known.
@@ -58,10 +68,15 @@ bool BranchSearch::is_known_all_along(const CrossingPart& part) const {
   return true;
 }
 
-/// A place with that value of the leading parameter, in the pieces of a part and maybe beyond it.
+/// A place with that value of the leading parameter, in the pieces of a part and maybe a little beyond it.
 std::optional<SectionPlace> BranchSearch::place_near_part(const CrossingPart& part, double of_lead) const {
   const PatchSpots start{{part.a.piece, part.a.middle()}, {part.b.piece, part.b.middle()}};
-  std::optional<PatchSpots> at = place_near(patches_, start, OnFace{part.lead, of_lead});
+  std::array<Interval, 4> box;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Interval& range = part.range(i);
+    box[i] = {range.start - kBeyond * range.length(), range.end + kBeyond * range.length()};
+  }
+  std::optional<PatchSpots> at = place_near(patches_, start, OnFace{part.lead, of_lead}, box);
   if (!at || !enters(*at)) return {};
   return section_place(patches_, *at);
 }

@@ -34,6 +34,7 @@ class BranchSearch {
 
  private:
   void search(const CrossingPart& part);
+  bool are_heights_apart(const CrossingPart& part) const;
   void halve(const CrossingPart& part);
   bool is_known_all_along(const CrossingPart& part) const;
   std::optional<SectionPlace> place_near_part(const CrossingPart& part, double of_lead) const;

@@ -62,6 +62,12 @@ std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b) {
   return made(std::move(a), std::move(b), sure);
 }
 
+std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b, const HeightDifference& difference) {
+  if (!(difference.least_slope > 0.0)) return {};
+  if (std::ranges::all_of(difference.leads, [](double lead) { return lead == 0.0; })) return {};
+  return made(std::move(a), std::move(b), difference.leads);
+}
+
 CrossingPart within(const CrossingPart& part, std::size_t parameter, const Interval& kept) {
   const Axis axis = parameter % 2 == 0 ? Axis::u : Axis::v;
   PatchPart a = parameter < 2 ? part.a.within(axis, kept) : part.a;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "height_difference.hpp"
 #include "patch_approach.hpp"
 #include "patch_part.hpp"
 
@@ -42,6 +43,9 @@ struct CrossingPart {
 
 /// @returns none unless normals differ and a parameter leads
 std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b);
+
+/// @returns none unless a parameter leads
+std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b, const HeightDifference& difference);
 
 /// The part within a range of a parameter. Parts of a crossing part are ones.
 CrossingPart within(const CrossingPart& part, std::size_t parameter, const Interval& kept);

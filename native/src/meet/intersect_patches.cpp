@@ -5,6 +5,7 @@
 
 #include "base/length.hpp"
 #include "branch_search.hpp"
+#include "joined_traces.hpp"
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_pairs.hpp"
@@ -26,6 +27,9 @@ double section_tolerance(const NearSpace& space, std::optional<double> tolerance
   return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());
 }
 
+/// So many tolerances from where patches touch a place is told from it.
+constexpr double kTolerancesOfTouch = 16.0;
+
 /// Two patches in a space of their own, and the tolerance there.
 class SectionSearch {
  public:
@@ -41,19 +45,21 @@ class SectionSearch {
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
     const double rounding = kRounding + 2.0 * space_.rounding();
-    const PatchPairFindings pairs = find_pairs(patches(), smallest, rounding, is_known);
+    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_known);
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     BranchSearch search(patches(), crossing_, smallest, rounding);
     search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
     for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
+    const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
+    const std::vector<SectionTrace> crossing = joined_traces(patches(), crossing_.traces(), is_end, tolerance_);
     Sections found;
     found.are_one = touching_.are_one();
-    put(crossing_.traces(), SectionKind::crossing, found);
+    put(crossing, SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
-    for (const SectionTrace& trace : crossing_.traces()) {
+    for (const SectionTrace& trace : crossing) {
       if (is_point(trace)) add_lonely({trace.places.front().at, trace.places.front().point}, found);
     }
     for (const SectionTouch& contact : contacts_) {
@@ -84,19 +90,37 @@ class SectionSearch {
   }
 
   SeedFate trace(const SectionPlace& seed) {
-    if (touching_.is_near(seed.point, 4.0 * tolerance_) || is_near_touch(seed.point)) return SeedFate::known;
+    if (touching_.is_near(seed.point, 4.0 * tolerance_) || touching_.runs_by(seed)) return SeedFate::known;
+    if (is_near_touch(seed)) return SeedFate::known;
     const auto is_known = [&](const SectionPlace& place) { return crossing_.holds_along(place); };
     crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known}));
     return SeedFate::traced;
   }
 
-  /// Nothing is to be told of what lies so near to a place where the patches touch, or to a pole.
-  bool is_near_touch(const glm::dvec3& point) const {
+  /// Whether patches touch near a point.
+  bool is_touch_near(const glm::dvec3& point) const {
+    const double near = kTolerancesOfTouch * tolerance_;
+    const auto is_here = [&](const SectionTouch& touch) { return glm::distance(touch.point, point) <= near; };
+    return touching_.is_near(point, near) || std::ranges::any_of(touches_, is_here);
+  }
+
+  /// Whether a place is so near to where the patches touch, or to a pole, that they are within the tolerance on the way there.
+  bool is_near_touch(const SectionPlace& place) const {
     constexpr double kNear = 0x1p-14;
-    const double near = std::max(kNear, 16.0 * tolerance_);
+    constexpr double kTolerances = 4.0;
+    const double sine = glm::length(meeting_at(patches(), place.at).along);
     return std::ranges::any_of(near_touches_, [&](const SectionTouch& touch) {
-      return glm::distance(touch.point, point) <= near;
+      const double far = glm::distance(touch.point, place.point);
+      return far <= kTolerancesOfTouch * tolerance_ || (far <= kNear && sine * far <= kTolerances * tolerance_);
     });
+  }
+
+  /// Whether between two such places patches are within the tolerance, where rounding does not tell which it is.
+  bool are_one_touch(const SectionTouch& one, const SectionTouch& other) const {
+    constexpr double kNear = 0x1p-10;
+    const double far = glm::distance(one.point, other.point);
+    const auto sine = [&](const SectionTouch& touch) { return glm::length(meeting_at(patches(), touch.at).along); };
+    return far <= kNear && std::max(sine(one), sine(other)) * far <= tolerance_;
   }
 
   /// Notes where patches touch in parts, or may do: at a pole nothing tells where normals are parallel.
@@ -128,18 +152,20 @@ class SectionSearch {
   }
 
   /// A place that is all that the patches have in common there, if no curve goes by.
-  void add_lonely(const SectionTouch& touch, Sections& found) const {
+  void add_lonely(const SectionTouch& touch, Sections& found) {
     const auto is_here = [&](const SectionPlace& place) {
       return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
     };
     const bool is_on_curve = std::ranges::any_of(crossing_.traces(), [&](const SectionTrace& trace) {
       return !is_point(trace) && std::ranges::any_of(trace.places, is_here);
     });
-    if (is_on_curve || touching_.is_near(touch.point, 4.0 * tolerance_)) return;
+    if (is_on_curve || touching_.is_near(touch.point, kTolerancesOfTouch * tolerance_)) return;
     const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
     const auto is_known = [&](const SectionPoint& other) { return distance_of(other.point, out) <= near; };
     if (std::ranges::any_of(found.points, is_known)) return;
+    if (std::ranges::any_of(lonely_, [&](const SectionTouch& other) { return are_one_touch(other, touch); })) return;
+    lonely_.push_back(touch);
     found.points.push_back({a_.parameters(touch.at.a), b_.parameters(touch.at.b), out});
   }
 
@@ -151,6 +177,7 @@ class SectionSearch {
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
   std::vector<SectionTouch> contacts_;      ///< where patches that cross have but a point in common
+  std::vector<SectionTouch> lonely_;        ///< in points that were found
   TracedSteps crossing_;
 };
 

@@ -57,13 +57,18 @@ FourByFour gap_rows(const PatchMeeting& at) {
   return rows;
 }
 
-/// @returns the largest step, none if it leads too far out
-std::optional<double> advance(PatchSpots& at, const Four& steps) {
+using RangesOfFour = std::array<Interval, 4>;
+
+constexpr Interval kWide{-kBeyond, 1.0 + kBeyond};
+constexpr RangesOfFour kAround{kWide, kWide, kWide, kWide};
+
+/// @returns the largest step, none if it leads out of the box
+std::optional<double> advance(PatchSpots& at, const Four& steps, const RangesOfFour& box = kAround) {
   double most = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     at[i] += steps[i];
     most = std::max(most, std::abs(steps[i]));
-    if (!(at[i] >= -kBeyond && at[i] <= 1.0 + kBeyond)) return {};
+    if (!(at[i] >= box[i].start && at[i] <= box[i].end)) return {};
   }
   return most;
 }
@@ -76,7 +81,7 @@ void breathe_at(const TwoPatches& patches, const PatchSpots& at) {
 /// Newton's method with a fourth equation: its row, and how far it is from being satisfied. Where normals are nearly
 /// parallel rounding keeps it from coming to rest.
 template <class Fourth>
-std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourth fourth) {
+std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourth fourth, const RangesOfFour& box = kAround) {
   constexpr int kMost = 24;
   constexpr double kStill = 0x1p-44;
   double before = std::numeric_limits<double>::infinity();
@@ -89,7 +94,7 @@ std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourt
     rows[3] = row;
     const std::optional<Four> steps = solved(rows, {-gap.x, -gap.y, -gap.z, -off});
     if (!steps) return {};
-    const std::optional<double> most = advance(at, *steps);
+    const std::optional<double> most = advance(at, *steps, box);
     if (!most) return {};
     if (*most <= kStill || (*most >= 0.25 * before && glm::length(gap) <= kNoGap)) return at;
     before = *most;
@@ -127,12 +132,17 @@ std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, c
 }
 
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face) {
+  return place_near(patches, at, face, kAround);
+}
+
+std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face, const RangesOfFour& box) {
   at[face.parameter] = face.value;
-  return newton(patches, at, [&](const PatchMeeting&, const PatchSpots& now) {
+  const auto on_face = [&](const PatchMeeting&, const PatchSpots& now) {
     Four row{};
     row[face.parameter] = 1.0;
     return std::pair(row, now[face.parameter] - face.value);
-  });
+  };
+  return newton(patches, at, on_face, box);
 }
 
 namespace {
@@ -253,9 +263,13 @@ std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at) {
   return {};
 }
 
+std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
+  return touch_near(patches, at, kAround);
+}
+
 /// Both tangents of the first patch are at right angles to the gap, those of the second one to the first one's normal;
 /// Levenberg and Marquardt's method, for where such places are a curve no one of them is best.
-std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
+std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at, const std::array<Interval, 4>& box) {
   constexpr int kMost = 40;
   constexpr double kStill = 0x1p-46;
   for (int round = 0; round < kMost; ++round) {
@@ -287,7 +301,7 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
     for (std::size_t i = 0; i < 4; ++i) normal[i][i] *= 1.0 + 0x1p-30;
     const std::optional<Four> steps = solved(normal, right);
     if (!steps) return {};
-    const std::optional<double> most = advance(at, *steps);
+    const std::optional<double> most = advance(at, *steps, box);
     if (!most) return {};
     if (*most <= kStill) return at;
   }

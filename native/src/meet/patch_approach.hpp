@@ -58,6 +58,10 @@ struct OnFace {
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const InPlane& plane);
 std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face);
 
+/// The same as long as Newton's method stays in a box.
+std::optional<PatchSpots> place_near(const TwoPatches& patches, PatchSpots at, const OnFace& face,
+                                     const std::array<Interval, 4>& box);
+
 /// How two patches meet along a curve.
 struct PatchContact {
   enum class Kind {
@@ -81,6 +85,7 @@ std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at);
 
 /// Where near a pair of places normals are parallel, and right across the gap between both.
 std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at);
+std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at, const std::array<Interval, 4>& box);
 
 /// By how much the parameters go along a unit vector that is a tangent of both.
 std::array<double, 4> slopes_along(const PatchMeeting& at, const glm::dvec3& tangent) noexcept;

@@ -1,8 +1,10 @@
 #include "patch_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "section_place.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "tree_pairs.hpp"
@@ -11,16 +13,20 @@ namespace splinecore {
 
 namespace {
 
-/// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved.
+/// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved: they are proved to
+/// be outside, or refused.
 constexpr double kNarrowAtInfinity = 0x1p-10;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+constexpr std::size_t kPointsOfLowDegree = 64;
+constexpr std::size_t kMostWork = std::size_t{1} << 25;  ///< control points of all pairs together
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
 constexpr std::size_t kMostCrossing = std::size_t{1} << 18;
 
 class PatchPairSearch {
  public:
-  PatchPairSearch(const TwoPatches& patches, double smallest, double rounding, const IsPairKnown& is_known)
-      : patches_(patches), smallest_(smallest), slack_(rounding), is_known_(is_known) {}
+  PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known)
+      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance),
+        is_known_(is_known) {}
 
   PatchPairFindings found() {
     for_near_pairs(patches_.a.tree(), patches_.b.tree(), slack_, [&](std::size_t i, std::size_t j) {
@@ -37,13 +43,19 @@ class PatchPairSearch {
   void pair(const PatchPart& a, const PatchPart& b) {
     breathe(64 * (a.net.values.size() + b.net.values.size()));
     if (++pairs_ > kMostPairs) refuse();
-    if (is_lost(a) || is_lost(b) || are_apart(a, b, slack_)) return;
-    if (const auto crossing = crossing_part(a, b)) {
-      if (found_.crossing.size() == kMostCrossing) refuse();
-      return found_.crossing.push_back({a.piece, a.range, b.piece, b.range, crossing->signs, crossing->lead});
-    }
+    work_ += a.net.values.size() + b.net.values.size();
+    if (work_ > kMostWork) refuse_degree(std::max(a.net.values.size(), b.net.values.size()));
+    if (are_apart(a, b, slack_)) return;
+    if (is_lost(a) || is_lost(b)) refuse();
+    if (const auto crossing = crossing_part(a, b)) return add(*crossing);
+    const std::optional<HeightDifference> difference = height_difference(a, b, slack_);
+    if (difference && difference->are_apart(slack_)) return;
+    const auto crossing = difference ? crossing_part(a, b, *difference) : std::nullopt;
+    if (crossing && is_deep(*difference)) return add(*crossing);
     if (a.is_boxed && b.is_boxed && is_known_(a, b)) return;
-    if (a.is_boxed && b.is_boxed && std::max(a.largest_size(), b.largest_size()) <= smallest_) {
+    const double size = std::max(a.largest_size(), b.largest_size());
+    if (crossing && size <= kLargestOfTouch && difference->bend > kOneBend * tolerance_) return add(*crossing);
+    if (a.is_boxed && b.is_boxed && size <= smallest_size(difference, size)) {
       found_.touching.push_back({{a.piece, a.middle()}, {b.piece, b.middle()}});
       if (found_.touching.size() > kMostTouching) refuse();
       return;
@@ -52,6 +64,32 @@ class PatchPairSearch {
     const auto [first, second] = (halves_a ? a : b).halves();
     halves_a ? pair(first, b) : pair(a, first);
     halves_a ? pair(second, b) : pair(a, second);
+  }
+
+  /// Whether surfaces cross at an angle that such that touch, or are one, within the tolerance have nowhere.
+  bool is_deep(const HeightDifference& difference) const {
+    const double of_touch = std::sqrt(difference.bend * tolerance_);
+    return difference.least_slope > std::max(kOneSlope * tolerance_, of_touch);
+  }
+
+  /// Of parts that touch, and whose distance is rounding all over, smaller ones tell no more.
+  double smallest_size(const std::optional<HeightDifference>& difference, double size) const {
+    constexpr double kRoundings = 4.0;
+    constexpr double kLargest = 0x1p-10;
+    if (!difference || !difference->are_within(kRoundings * slack_)) return smallest_;
+    const bool is_bent = difference->bend > kOneBend * tolerance_ && difference->bend * size * size > slack_;
+    return is_bent ? std::max(smallest_, kLargest) : smallest_;
+  }
+
+  void add(const CrossingPart& part) {
+    if (found_.crossing.size() == kMostCrossing) refuse();
+    found_.crossing.push_back({part.a.piece, part.a.range, part.b.piece, part.b.range, part.signs, part.lead});
+  }
+
+  [[noreturn]] void refuse_degree(std::size_t points) const {
+    if (points <= kPointsOfLowDegree) refuse();
+    throw InvalidShape("the shapes have pieces of degrees so high, of up to " + std::to_string(points) +
+                       " control points, that telling which parts cross takes too long: approximate them by lower degrees");
   }
 
   [[noreturn]] void refuse() const {
@@ -71,16 +109,17 @@ class PatchPairSearch {
   TwoPatches patches_;
   double smallest_;
   double slack_;
+  double tolerance_;
   const IsPairKnown& is_known_;
   std::size_t pairs_ = 0;
+  std::size_t work_ = 0;
   PatchPairFindings found_;
 };
 
 }  // namespace
 
-PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding,
-                             const IsPairKnown& is_known) {
-  return PatchPairSearch(patches, smallest, rounding, is_known).found();
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known) {
+  return PatchPairSearch(patches, limits, is_known).found();
 }
 
 }  // namespace splinecore

@@ -33,10 +33,16 @@ struct PatchPairFindings {
 /// Whether all that two parts may have in common is known.
 using IsPairKnown = std::function<bool(const PatchPart&, const PatchPart&)>;
 
-/// @param smallest  parts of that size are not halved
+/// How far pairs of parts are told apart.
+struct PairLimits {
+  double smallest;     ///< parts of that size are not halved
+  double rounding;     ///< parts so near may have places in common
+  double tolerance;    ///< surfaces that nowhere part by more are one
+};
+
 /// @param is_known  asked of parts whose normals do not differ
 /// @throws InvalidShape after too many pairs.
-PatchPairFindings find_pairs(const TwoPatches& patches, double smallest, double rounding, const IsPairKnown& is_known);
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -74,6 +74,15 @@ glm::dvec3 unit(const glm::dvec3& v) {
 
 constexpr double kMargin = 1.25;
 
+/// Whether a part that runs through infinity is outside of a slab about another one.
+bool is_outside(const PatchPart& unbounded, const PatchPart& other, double distance) {
+  const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+  return std::ranges::any_of(axes, [&](const glm::dvec3& axis) {
+    const Interval extent = extent_along(other.points, axis, glm::dvec3(0.0));
+    return is_outside_slab(unbounded.net.values, axis, {extent.start - distance, extent.end + distance});
+  });
+}
+
 }  // namespace
 
 PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_range, BernsteinNet<glm::dvec4> given)
@@ -145,7 +154,8 @@ PatchPart part_of(std::size_t piece, const BernsteinNet<glm::dvec4>& net, const 
 }
 
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
-  if (!a.is_boxed || !b.is_boxed) return false;
+  if (a.is_boxed != b.is_boxed) return is_outside(a.is_boxed ? b : a, a.is_boxed ? a : b, distance);
+  if (!a.is_boxed) return false;
   if (are_boxes_apart(a.points, b.points, distance)) return true;
   const glm::dvec3& of_a = a.normals().along;
   const glm::dvec3& of_b = b.normals().along;

@@ -65,7 +65,8 @@ struct PatchPart {
 /// A part of a piece of a patch.
 PatchPart part_of(std::size_t piece, const BernsteinNet<glm::dvec4>& net, const std::array<Interval, 2>& range);
 
-/// Whether hulls are farther apart than that, as seen along some axes of both.
+/// Whether hulls are farther apart than that, as seen along some axes of both. Of a part that runs through infinity the hull
+/// is what lies outside of a slab about the other one.
 bool are_apart(const PatchPart& a, const PatchPart& b, double distance);
 bool are_apart(const CurvePart& a, const PatchPart& b, double distance);
 

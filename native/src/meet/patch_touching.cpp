@@ -12,10 +12,6 @@ namespace splinecore {
 
 namespace {
 
-/// Larger parts, in a space where the patches are about 1 large, are not asked about.
-constexpr double kLargest = 0x1p-4;
-/// Surfaces that part by less, by so many tolerances, are one within the tolerance over an eighth of their size.
-constexpr double kNarrow = 128.0;
 /// Beads of a step of a curve.
 constexpr int kBeads = 32;
 
@@ -26,10 +22,20 @@ double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::
   return glm::distance(p, a + s * chord);
 }
 
+/// Where normals are parallel places have half the digits: on a side of a piece they may be off it by that.
+bool enters_nearly(PatchSpots& at) {
+  constexpr double kHalfOfDigits = 0x1p-24;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!(at[i] >= -kHalfOfDigits && at[i] <= 1.0 + kHalfOfDigits)) return false;
+  }
+  for (std::size_t i = 0; i < 4; ++i) at[i] = std::clamp(at[i], 0.0, 1.0);
+  return true;
+}
+
 }  // namespace
 
 bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
-  if (std::max(a.largest_size(), b.largest_size()) > kLargest) return false;
+  if (std::max(a.largest_size(), b.largest_size()) > kLargestOfTouch) return false;
   const PartLook seen = look(a, b);
   if (seen.is_explained || (find_near(a, b) && look(a, b).is_explained)) return true;
   if (!seen.is_near || !is_one(a, b)) return false;
@@ -72,25 +78,43 @@ bool TouchingCurves::is_explained(const glm::dvec3& point, double gap) const {
   constexpr double kLoose = 4.0;
   double distance = 0.0;
   const BeadStrings::Bead* const bead = beads_.nearest(point, distance);
+  if (!bead) return false;
   const double parted = 0.5 * bead->bend * distance * distance;
   const double that_way = parted < 0.0 ? -gap : gap;
   return that_way >= std::abs(parted) / kLoose - slack && that_way <= kLoose * std::abs(parted) + slack;
 }
 
+bool TouchingCurves::runs_by(const SectionPlace& place) const {
+  double distance = 0.0;
+  const BeadStrings::Bead* const bead = beads_.nearest(place.point, distance);
+  if (!bead) return false;
+  const double bend = std::abs(bead->bend);
+  const double sine = glm::length(meeting_at(patches_, place.at).along);
+  return bend * distance * distance <= 0.5 * tolerance_ && sine * sine <= bend * tolerance_;
+}
+
 /// Whether parts that are near do not part as surfaces do that touch.
 bool TouchingCurves::is_one(const PatchPart& a, const PatchPart& b) const {
   const auto foot = foot_near(patches_, {{a.piece, a.middle()}, {b.piece, b.middle()}});
-  const auto parting = foot ? parting_at(meeting_at(patches_, *foot)) : std::nullopt;
-  return parting && std::abs(parting->across) < kNarrow * tolerance_;
+  if (!foot) return false;
+  const PatchMeeting there = meeting_at(patches_, *foot);
+  const std::optional<Parting> parting = parting_at(there);
+  return parting && glm::length(there.along) < kOneSlope * tolerance_ && std::abs(parting->across) < kOneBend * tolerance_;
 }
 
-/// Where near a pair of places the patches touch, in the pieces that it lies in.
-std::optional<PatchSpots> TouchingCurves::touch_of_pieces(PatchSpots from) const {
+/// Where in a pair of parts, or a little beyond, the patches touch, in the pieces that it lies in.
+std::optional<PatchSpots> TouchingCurves::touch_of_parts(const PatchPart& a, const PatchPart& b) const {
+  constexpr double kBeyond = 1.0;
   constexpr int kMostHops = 4;
-  for (int hop = 0; hop < kMostHops; ++hop) {
-    std::optional<PatchSpots> at = touch_near(patches_, from);
-    if (!at || enters(*at)) return at;
-    from = *at;
+  std::array<Interval, 4> box{a.range[0], a.range[1], b.range[0], b.range[1]};
+  for (Interval& range : box) {
+    const double beyond = kBeyond * range.length();
+    range = {range.start - beyond, range.end + beyond};
+  }
+  std::optional<PatchSpots> at = touch_near(patches_, {{a.piece, a.middle()}, {b.piece, b.middle()}}, box);
+  for (int hop = 0; at && !enters_nearly(*at); ++hop) {
+    if (hop == kMostHops) return {};
+    PatchSpots from = *at;
     for (std::size_t i = 0; i < 4; ++i) {
       const bool is_end = from[i] > 1.0;
       if (from[i] >= 0.0 && !is_end) continue;
@@ -100,18 +124,19 @@ std::optional<PatchSpots> TouchingCurves::touch_of_pieces(PatchSpots from) const
       spot.piece = *next;
       spot.at[i % 2] = is_end ? 0.0 : 1.0;
     }
+    at = touch_near(patches_, from);
   }
-  return {};
+  return at;
 }
 
 /// @returns whether there is a new curve
 bool TouchingCurves::find_near(const PatchPart& a, const PatchPart& b) {
-  const std::optional<PatchSpots> at = touch_of_pieces({{a.piece, a.middle()}, {b.piece, b.middle()}});
+  const std::optional<PatchSpots> at = touch_of_parts(a, b);
   if (!at) return false;
   const PatchMeeting here = meeting_at(patches_, *at);
   if (here.distance() > 0.5 * tolerance_ || beads_.is_near(here.a.point, 0x1p-10)) return false;
   const std::optional<Parting> parting = parting_at(here);
-  if (!parting || !is_curve(*parting) || std::abs(parting->across) < kNarrow * tolerance_) return false;
+  if (!parting || !is_curve(*parting) || std::abs(parting->across) < kOneBend * tolerance_) return false;
   const SectionPlace seed{*at, here.a.point + 0.5 * here.b.offset, parting->way, slopes_along(here, parting->way)};
   SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::grazing, {}}, {}, 0.5 * tolerance_});
   if (trace.places.size() < 2) return false;

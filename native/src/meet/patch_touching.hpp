@@ -37,6 +37,9 @@ class TouchingCurves {
   /// surfaces do that touch once, or they are one.
   bool knows(const PatchPart& a, const PatchPart& b);
 
+  /// Whether a place where they cross is so near to a curve along which they touch that within the tolerance they touch there.
+  bool runs_by(const SectionPlace& place) const;
+
   const std::vector<SectionTrace>& traces() const noexcept { return traces_; }
   bool are_one() const noexcept { return are_one_; }
   const std::vector<SectionTrace>& borders() const noexcept { return borders_; }
@@ -56,7 +59,7 @@ class TouchingCurves {
   PartLook look(const PatchPart& a, const PatchPart& b) const;
   bool is_explained(const glm::dvec3& point, double gap) const;
   bool is_one(const PatchPart& a, const PatchPart& b) const;
-  std::optional<PatchSpots> touch_of_pieces(PatchSpots from) const;
+  std::optional<PatchSpots> touch_of_parts(const PatchPart& a, const PatchPart& b) const;
   bool find_near(const PatchPart& a, const PatchPart& b);
   void find_borders(const PatchPart& a, const PatchPart& b);
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);

@@ -36,6 +36,14 @@ std::optional<Parting> parting_at(const PatchMeeting& here);
 /// Whether they touch along a curve there, rather than in a point.
 bool is_curve(const Parting& parting);
 
+/// Surfaces that part by less than so many tolerances on a way 1 long are one within the tolerance over a sixteenth of
+/// their size; such that bend away from each other by less than so many, over an eighth.
+inline constexpr double kOneSlope = 16.0;
+inline constexpr double kOneBend = 128.0;
+
+/// Of larger parts, in a space where the patches are about 1 large, nobody asks whether they touch.
+inline constexpr double kLargestOfTouch = 0x1p-4;
+
 /// Places of one such curve: from one to the next it is a cubic of Hermite within the tolerance of both patches. Where it
 /// goes from one piece to another, two places are one point.
 struct SectionTrace {

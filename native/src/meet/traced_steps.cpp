@@ -116,9 +116,11 @@ const std::vector<TracedSteps::Step>* TracedSteps::steps_in(const Pieces& pieces
 }
 
 bool TracedSteps::holds(const SectionPlace& place) const {
+  const double sine = glm::length(meeting_at(patches_, place.at).along);
   const auto is_on_any = [&](const Pieces& pieces, auto test) {
     const std::vector<Step>* const steps = steps_in(pieces);
-    return steps && std::ranges::any_of(*steps, [&](const Step& step) { return (this->*test)(step, place); });
+    if (steps) breathe(16 * steps->size());
+    return steps && std::ranges::any_of(*steps, [&](const Step& step) { return (this->*test)(step, place, sine); });
   };
   for (const PatchSpot& in_a : patches_.a.twins(place.at.a, kOnSide)) {
     for (const PatchSpot& in_b : patches_.b.twins(place.at.b, kOnSide)) {
@@ -149,19 +151,18 @@ bool TracedSteps::holds_along(const SectionPlace& place) const {
 }
 
 /// Whether a place is within the tolerance of both patches beside a step that goes the same way.
-bool TracedSteps::is_within(const Step& which, const SectionPlace& place) const {
+bool TracedSteps::is_within(const Step& which, const SectionPlace& place, double sine) const {
   constexpr double kAlong = 0.9;
   constexpr double kShare = 0x1p-4;
   const SectionTrace& trace = traces_[which.trace];
   const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
   if (std::abs(glm::dot(step.from.tangent, place.tangent)) < kAlong) return false;
-  const double sine = glm::length(meeting_at(patches_, place.at).along);
   return step.is_near(place.point, std::min(tolerance_ / sine, kShare * step.length + tolerance_));
 }
 
 /// Whether Newton's method comes to a place from the step of a trace beside it: where surfaces cross at a small angle a
 /// step may be far from the place, within the tolerance of both.
-bool TracedSteps::is_on(const Step& which, const SectionPlace& place) const {
+bool TracedSteps::is_on(const Step& which, const SectionPlace& place, double sine) const {
   const SectionTrace& trace = traces_[which.trace];
   const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
   const glm::dvec3 chord = step.to.point - step.from.point;
@@ -178,7 +179,6 @@ bool TracedSteps::is_on(const Step& which, const SectionPlace& place) const {
   if (!at) return false;
   constexpr double kSame = 0x1p-26;
   constexpr double kRounding = 0x1p-44;
-  const double sine = glm::length(meeting_at(patches_, place.at).along);
   return glm::distance(patches_.a.at(at->a).point, place.point) <= kSame * step.length + kRounding / sine;
 }
 

@@ -43,8 +43,8 @@ class TracedSteps {
 
   void put(const Pieces& pieces, const Step& step);
   const std::vector<Step>* steps_in(const Pieces& pieces) const;
-  bool is_on(const Step& which, const SectionPlace& place) const;
-  bool is_within(const Step& which, const SectionPlace& place) const;
+  bool is_on(const Step& which, const SectionPlace& place, double sine) const;
+  bool is_within(const Step& which, const SectionPlace& place, double sine) const;
 
   TwoPatches patches_;
   double tolerance_;

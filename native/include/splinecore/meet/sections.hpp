@@ -47,15 +47,20 @@ struct Sections {
 ///
 /// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart, or their normals differ (Sinha,
 /// Klassen, Wang 1985; Sederberg and Meyers 1988) and one of the four parameters goes one way along what they have in
-/// common, so that each of its values has one place at most. What known curves leave of its range is looked at until hulls
-/// are apart there or Newton's method finds a place, from which a curve is followed, so that nothing is left. Where they touch the
-/// second derivatives of their distance tell along which way that stays, and whether all of a pair of parts lies beside a
-/// curve that is known. Curves also end where they come to others. S18.
+/// common, so that each of its values has one place at most. Where patches nearly touch, the difference of their heights
+/// over a plane tells the same of larger parts: a quadratic polynomial, and bounds of what it leaves. What known curves
+/// leave of the range of that parameter is looked at until hulls are apart there or Newton's method finds a place, from
+/// which a curve is followed, so that nothing is left. Where they touch the second derivatives of their distance tell along
+/// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
+/// come to others; such that go on in each other within the tolerance are one. Where patches are within the tolerance of
+/// each other about a point at which they touch, the point says so. S18.
 /// @param tolerance  none: 2^-20 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches nearly touch.
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches are nearly one, or run
+///         through infinity together; after 2^25 control points of pairs, as of wild patches of degrees above 25.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
-/// The same with a plane; on_b and b have its coordinates.
+/// The same with a plane; on_b and b have its coordinates. Of a patch that runs through infinity, with weights of both signs,
+/// what is farther from its control points than their size is left out.
 Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance = {});
 
 }  // namespace splinecore
