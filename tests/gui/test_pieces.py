@@ -101,7 +101,7 @@ def a_piece_is_picked(view):
 def a_verb_begins_with_it(view):
     first = teapot().data.splinewright.piece
     with view.override():
-        bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True)
+        bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True, neighbors=False)
     assert last().properties.piece == first and count() == 33
     yield from redrawn()
     assert seen_numbers(view) == [], "the panel is closed"
