@@ -137,13 +137,28 @@ class March {
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
     const std::optional<PatchSpots> at = contact_near(patches_, ahead(length_), contact_, last().tangent, plane);
-    if (!at) return shorter(0.5);
+    if (!at) return reach_side();
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
-    if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return shorter(0.5);
+    if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return reach_side();
     const double far = glm::distance(next->point, last().point);
-    if (far > 2.0 * length_ || far < 0.5 * length_) return shorter(0.5);
+    if (far > 2.0 * length_ || far < 0.5 * length_) return reach_side();
     return enters(next->at) ? take(*next) : leave(next->at);
+  }
+
+  /// No place is found ahead: the step ends on the side that it leads to, right beyond which the piece may be folded, as
+  /// that of a short span beside a long one is, or it is shorter.
+  bool reach_side() {
+    PatchSpots out = ahead(length_);
+    bool is_out = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double inside = std::clamp(out[i], 0.0, 1.0);
+      if (out[i] == inside) continue;
+      const bool is_side = !is_on_face(i, out) && !piece_of(i).is_pole(piece_at(i), side(i, is_at_end(out[i])));
+      if (!is_side) out[i] = inside;
+      is_out = is_out || is_side;
+    }
+    return is_out ? leave(out) : shorter(0.5);
   }
 
   /// Whether the step is so short that rounding, where the patches nearly touch, sends its end anywhere.
