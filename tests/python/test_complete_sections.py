@@ -191,6 +191,52 @@ def test_sections_are_the_same_however_patches_are_given(inputs):
             assert lengths == pytest.approx(length, abs=1e-4 * max(1, length))
 
 
+def short_span_patch(rng):
+    """Its first span along u is up to a billion times as short as the next one."""
+    degrees = [int(p) for p in rng.integers(2, 5, 2)]
+    inner = np.r_[10**rng.uniform(-9, -3), rng.uniform(0.2, 0.8, rng.integers(0, 2))]
+    knots = [np.r_[[0.0] * (p + 1), cuts, [1.0] * (p + 1)] for p, cuts in zip(degrees, (inner, []))]
+    x, y = np.meshgrid(*(np.linspace(-1, 1, len(k) - p - 1) for k, p in zip(knots, degrees)), indexing="ij")
+    points = np.stack([x, y, 0.5 * rng.normal(size=x.shape)], -1)
+    turn = Rotation.from_quat(rng.normal(size=4)).as_matrix()
+    return sc.NurbsPatch(degrees, knots, points @ turn.T + 0.2 * rng.normal(size=3))
+
+
+def ends_inside(found):
+    """Of open curves of patches over the unit square, that end in no border."""
+    ends = [np.r_[on_a.evaluate(t)[:2], on_b.evaluate(t)[:2]]
+            for curve, on_a, on_b, closed in zip(found.curves, found.on_a, found.on_b, found.closed) if not closed
+            for t in curve.domain]
+    return [end for end in ends if ((end > 1e-11) & (end < 1 - 1e-11)).all()]
+
+
+def test_curves_go_on_through_short_spans(inputs):
+    rng = np.random.default_rng(2)
+    for _ in range(inputs(2000)):
+        a, b = short_span_patch(rng), short_span_patch(rng)
+        found = a.sections(b, 1e-6)
+        others = b.sections(a, 1e-6), a.reversed("u").sections(b.swapped(), 1e-6)
+        assert not ends_inside(found) and not ends_inside(others[0])
+        for other in others:
+            assert len(other.curves) == len(found.curves)
+            assert total_length(other) == pytest.approx(total_length(found), abs=1e-3)
+
+
+@pytest.mark.parametrize("heights, corners, count, length", [
+    ([[-1, 3, 5], [7, -5, 2], [6, -5, -3], [6, 2, 0]], (2, 0, 5, 3), 2, 4.547984),
+    ([[-8, 3, -4], [-5, 3, 5], [7, -5, 7], [6, -4, -8]], (3, 4, 0, -4), 2, 4.810026),
+    ([[-7, -2, 5], [-3, -9, 4], [5, -6, 1], [-2, 0, -9]], (1, -3, 1, -1), 2, 3.408472),
+    ([[4, -4, 3], [7, 6, -7], [9, 4, 4], [-6, 8, -2]], (5, -3, -4, 4), 3, 5.052872)])
+def test_a_short_span_has_no_curve_twice(heights, corners, count, length):
+    x, y = np.meshgrid(np.arange(4.0), np.arange(3.0), indexing="ij")
+    points = np.stack([x, y, np.array(heights) / 10], -1)
+    a = sc.NurbsPatch((2, 2), ([0, 0, 0, 1e-6, 1, 1, 1], [0, 0, 0, 1, 1, 1]), points)
+    h = np.array(corners) / 10
+    b = sc.BezierPatch([[(-1, -1, h[0]), (-1, 3, h[1])], [(4, -1, h[2]), (4, 3, h[3])]])
+    for found in (a.sections(b, 1e-6), b.sections(a, 1e-6), a.reversed("u").sections(b.swapped(), 1e-6)):
+        assert len(found.curves) == count and total_length(found) == pytest.approx(length, abs=1e-4)
+
+
 def terrain(seed, kind):
     """Whole heights."""
     x, y = np.meshgrid(np.arange(12.0), np.arange(12.0), indexing="ij")

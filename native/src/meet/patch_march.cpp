@@ -146,8 +146,8 @@ class March {
     return enters(next->at) ? take(*next) : leave(next->at);
   }
 
-  /// No place is found ahead: the step ends on the side that it leads to, right beyond which the piece may be folded, as
-  /// that of a short span beside a long one is, or it is shorter.
+  /// No place is found ahead: the step ends on the side that it leads to, right beyond which the piece may be folded,
+  /// as that of a short span beside a long one is, or it is shorter.
   bool reach_side() {
     PatchSpots out = ahead(length_);
     bool is_out = false;
@@ -173,7 +173,51 @@ class March {
 
   bool shorter(double share) {
     length_ *= share;
-    return length_ >= kLeastStep;
+    return length_ >= kLeastStep || turn_corner();
+  }
+
+  /// Beside a side along which a piece is nearly folded the curve may turn within rounding: it goes on from a place
+  /// beyond, by the parameter that goes the fastest, to which it is a part of the tolerance.
+  bool turn_corner() {
+    constexpr int kMostCorners = 4;
+    if (contact_.kind != PatchContact::Kind::crossing || corners_ == kMostCorners) return false;
+    if (!crosses_plainly(last())) return false;
+    const std::size_t i = fastest(last());
+    const bool is_rising = last().slopes[i] > 0.0;
+    const double room = is_rising ? 1.0 - last().at[i] : last().at[i];
+    for (double share = 1.0; share * room > kOnSide; share *= 0.5) {
+      const double value = share == 1.0 ? (is_rising ? 1.0 : 0.0) : last().at[i] + (is_rising ? share : -share) * room;
+      std::optional<PatchSpots> at = place_near(patches_, last().at, OnFace{i, value});
+      if (!at || !enters(*at)) continue;
+      const std::optional<SectionPlace> next = place(*at);
+      if (!next || !is_beyond_corner(*next, i)) continue;
+      ++corners_;
+      length_ = std::max(glm::distance(next->point, last().point), 2.0 * kLeastStep);
+      trace_.places.push_back(*next);
+      if (share == 1.0) return hop(i);
+      return true;
+    }
+    return false;
+  }
+
+  bool is_beyond_corner(const SectionPlace& next, std::size_t i) const {
+    constexpr double kOfTolerance = 0.25;
+    if (!(next.slopes[i] * last().slopes[i] > 0.0) || !crosses_plainly(next)) return false;
+    const SectionStep step(last(), next);
+    return step.length <= kOfTolerance * tolerance_ && error(step) <= tolerance_ && !bulges_out(step);
+  }
+
+  bool crosses_plainly(const SectionPlace& place) const {
+    constexpr double kLeastSine = 0x1p-5;
+    return glm::length(meeting_at(patches_, place.at).along) >= kLeastSine;
+  }
+
+  static std::size_t fastest(const SectionPlace& place) {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (std::abs(place.slopes[i]) > std::abs(place.slopes[found])) found = i;
+    }
+    return found;
   }
 
   bool take(const SectionPlace& next) {
@@ -187,6 +231,7 @@ class March {
     trace_.places.push_back(next);
     length_ *= share;
     hops_ = 0;
+    if (step.length > tolerance_) corners_ = 0;
     return true;
   }
 
@@ -421,6 +466,7 @@ class March {
   double length_ = kFirstStep;
   double travelled_ = 0.0;
   int hops_ = 0;
+  int corners_ = 0;
   SectionTrace trace_{{}, false};
 };
 
