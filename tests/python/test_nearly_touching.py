@@ -114,7 +114,7 @@ def test_a_patch_and_a_copy_moved_by_little(inputs):
             assert total_length(other) == pytest.approx(length, abs=1e-4 * max(1, length))
 
 
-@pytest.mark.parametrize("turn", [0.0, 0.4])
+@pytest.mark.parametrize("turn", [0.0, 0.4, np.nextafter(0.4, 1), 0.4 + 2e-16, 0.4 - 3e-16, 1.1, -2.3])
 def test_a_torus_that_goes_through_a_tube_along_a_common_circle(turn):
     """It touches the tube along the circle, and goes back through it on both sides, from the two points where both curve
     alike, as one curve or two."""
