@@ -114,21 +114,49 @@ def test_a_patch_and_a_copy_moved_by_little(inputs):
             assert total_length(other) == pytest.approx(length, abs=1e-4 * max(1, length))
 
 
-@pytest.mark.parametrize("turn", [0.0, 0.4, np.nextafter(0.4, 1), 0.4 + 2e-16, 0.4 - 3e-16, 1.1, -2.3])
-def test_a_torus_that_goes_through_a_tube_along_a_common_circle(turn):
-    """It touches the tube along the circle, and goes back through it on both sides, from the two points where both curve
-    alike, as one curve or two."""
-    tube = build.cylinder((0, 0, -10), (0, 0, 1), 1, 20)
+TURNS = [0.0, 0.4, np.nextafter(0.4, 1), 0.4 + 2e-16, 0.4 - 3e-16, 1.1, -2.3]
+
+
+def torus_through_tube(turn):
+    """A torus that touches the tube along the unit circle, and its half whose seam is turned about the ring."""
     spin = np.eye(4)
     spin[:2, :2] = [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
     up = np.array([[0, 0, 1, 4], [0, 1, 0, 0], [-1, 0, 0, 4], [0, 0, 0, 1]])  # a quarter about the axis of the torus
     half = build.revolve(TUBE.transformed(up @ spin).boundary("v_start"), (4, 0, 0), (0, 1, 0), sweep=-np.pi)
-    for torus in (build.torus((4, 0, 0), (0, 1, 0), 4, 1), half):
+    return build.torus((4, 0, 0), (0, 1, 0), 4, 1), half
+
+
+def require_circle_and_crossings(found, motion=np.eye(4)):
+    """It touches the tube along the circle, and goes back through it on both sides, between the two points where both curve
+    alike."""
+    assert found.kinds == ("crossing", "crossing", "touching")
+    assert not found.are_one and not len(found.points)
+    assert found.curves[-1].length() == pytest.approx(2 * np.pi, abs=1e-4)
+    ends = [motion[:3, :3] @ (0, y, 0) + motion[:3, 3] for y in (1, -1)]
+    for curve in found.curves[:-1]:
+        assert curve.length() == pytest.approx(9.089, abs=1.5e-3)
+        at = curve.evaluate(np.array(curve.domain))
+        assert min(np.abs(at - ends).max(), np.abs(at - ends[::-1]).max()) < 1e-4
+
+
+@pytest.mark.parametrize("turn", TURNS)
+def test_a_torus_that_goes_through_a_tube_along_a_common_circle(turn):
+    tube = build.cylinder((0, 0, -10), (0, 0, 1), 1, 20)
+    for torus in torus_through_tube(turn):
         for found in (tube.sections(torus), torus.sections(tube)):
-            assert set(found.kinds[:-1]) == {"crossing"} and found.kinds[-1] == "touching"
-            assert not found.are_one and not len(found.points)
-            assert found.curves[-1].length() == pytest.approx(2 * np.pi, abs=1e-4)
-            assert total_length(found) - 2 * np.pi == pytest.approx(2 * 9.089, abs=3e-3)
+            require_circle_and_crossings(found)
+
+
+def test_a_torus_through_a_tube_turned_and_moved(inputs):
+    for seed in range(inputs(80)):
+        rng = np.random.default_rng(seed)
+        motion = np.eye(4)
+        motion[:3, :3] = Rotation.from_quat(rng.normal(size=4)).as_matrix()
+        motion[:3, 3] = 10 * rng.normal(size=3)
+        tube = build.cylinder((0, 0, -10), (0, 0, 1), 1, 20).transformed(motion)
+        torus = torus_through_tube(rng.uniform(-np.pi, np.pi))[seed % 2].transformed(motion)
+        for found in (tube.sections(torus), torus.sections(tube)):
+            require_circle_and_crossings(found, motion)
 
 
 def wild_bezier(rng, degree):

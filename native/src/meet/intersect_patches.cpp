@@ -47,6 +47,7 @@ class SectionSearch {
     const double rounding = kRounding + 2.0 * space_.rounding();
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_known);
     for (const PatchSpots& middle : pairs.touching) touch(middle);
+    for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
     BranchSearch search(patches(), crossing_, smallest, rounding);
     search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
@@ -131,22 +132,47 @@ class SectionSearch {
     const PatchMeeting there = meeting_at(patches(), *at);
     constexpr double kNoGap = 0x1p-40;
     if (there.distance() > (is_exact ? kNoGap + 0.01 * tolerance_ * tolerance_ : tolerance_)) return;
-    const glm::dvec3 point = there.a.point + 0.5 * there.b.offset;
-    const auto is_here = [&](const SectionTouch& other) { return glm::distance(other.point, point) <= tolerance_; };
+    note({*at, there.a.point + 0.5 * there.b.offset}, is_exact);
+  }
+
+  /// Where patches that touch along a curve part to the other side from there on: a curve along which they cross comes to it.
+  void end_at_changes(const SectionTrace& trace) {
+    for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+      if (!trace.places[i].has_pieces_of(trace.places[i + 1])) continue;
+      const SectionStep step(trace.places[i], trace.places[i + 1]);
+      const auto parted = [&](double s) {
+        const std::optional<Parting> parting = parting_at(meeting_at(patches(), step.spots(s)));
+        return parting ? parting->along + parting->across : 0.0;
+      };
+      Interval range{0.0, 1.0};
+      const bool is_below = parted(range.start) < 0.0;
+      if ((parted(range.end) < 0.0) == is_below) continue;
+      constexpr int kHalvings = 40;
+      for (int k = 0; k < kHalvings; ++k) {
+        const double middle = range.middle();
+        ((parted(middle) < 0.0) == is_below ? range.start : range.end) = middle;
+      }
+      note({step.spots(range.middle()), step.point(range.middle())}, true);
+    }
+  }
+
+  /// Keeps a place where patches touch. is_exact: whether it is known to be one, so that curves end there.
+  void note(const SectionTouch& touch, bool is_exact) {
+    const auto is_here = [&](const SectionTouch& other) { return glm::distance(other.point, touch.point) <= tolerance_; };
     const auto known = std::ranges::find_if(near_touches_, is_here);
     if (known == near_touches_.end()) {
-      near_touches_.push_back({*at, point});
+      near_touches_.push_back(touch);
     } else if (is_exact) {
-      *known = {*at, point};
+      *known = touch;
     }
     if (!is_exact) return;
-    for (const PatchSpot& in_a : a_.twins(at->a, kOnSide)) {
-      for (const PatchSpot& in_b : b_.twins(at->b, kOnSide)) {
+    for (const PatchSpot& in_a : a_.twins(touch.at.a, kOnSide)) {
+      for (const PatchSpot& in_b : b_.twins(touch.at.b, kOnSide)) {
         const PatchSpots twin{in_a, in_b};
         const auto is_this = [&](const SectionTouch& other) {
           return other.at.a.piece == in_a.piece && other.at.b.piece == in_b.piece && is_here(other);
         };
-        if (std::ranges::none_of(touches_, is_this)) touches_.push_back({twin, point});
+        if (std::ranges::none_of(touches_, is_this)) touches_.push_back({twin, touch.point});
       }
     }
   }

@@ -472,24 +472,6 @@ class March {
 
 }  // namespace
 
-namespace {
-
-/// The step, by the number of its first place, that passes another place on the same way, within what the patches tell there.
-std::optional<std::size_t> where_passed(const TwoPatches& patches, const std::vector<SectionPlace>& places,
-                                        const SectionPlace& other, double tolerance) {
-  constexpr double kAlong = 0.9;
-  constexpr double kShare = 0x1p-2;
-  const double sine = glm::length(meeting_at(patches, other.at).along);
-  for (std::size_t i = 0; i + 2 < places.size(); ++i) {
-    const SectionStep step(places[i], places[i + 1]);
-    if (glm::dot(step.from.tangent, other.tangent) < kAlong) continue;
-    if (step.is_near(other.point, std::min(tolerance / sine, kShare * step.length + tolerance))) return i;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits) {
   SectionTrace forward = March(patches, seed, 1.0, limits).done();
   if (forward.is_closed) return forward;
@@ -501,13 +483,6 @@ SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const M
     places.push_back(*place);
   }
   if (back.is_closed) return {std::move(places), true};
-  if (const auto again = where_passed(patches, places, forward.places.back(), limits.tolerance)) {
-    // Both ways went on through where the patches touch, to the next such place: the curve is a loop.
-    places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(*again));
-    places.front() = forward.places.back();
-    places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
-    return {std::move(places), true};
-  }
   places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
   return {std::move(places), false};
 }
