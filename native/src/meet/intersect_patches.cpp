@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "base/length.hpp"
@@ -135,25 +136,47 @@ class SectionSearch {
     note({*at, there.a.point + 0.5 * there.b.offset}, is_exact);
   }
 
+  /// How patches that touch along a curve part across it.
+  double parted(const PatchSpots& at) const {
+    const std::optional<Parting> parting = parting_at(meeting_at(patches(), at));
+    return parting ? parting->along + parting->across : 0.0;
+  }
+
   /// Where patches that touch along a curve part to the other side from there on: a curve along which they cross comes to it.
   void end_at_changes(const SectionTrace& trace) {
-    for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
-      if (!trace.places[i].has_pieces_of(trace.places[i + 1])) continue;
-      const SectionStep step(trace.places[i], trace.places[i + 1]);
-      const auto parted = [&](double s) {
-        const std::optional<Parting> parting = parting_at(meeting_at(patches(), step.spots(s)));
-        return parting ? parting->along + parting->across : 0.0;
-      };
-      Interval range{0.0, 1.0};
-      const bool is_below = parted(range.start) < 0.0;
-      if ((parted(range.end) < 0.0) == is_below) continue;
-      constexpr int kHalvings = 40;
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = range.middle();
-        ((parted(middle) < 0.0) == is_below ? range.start : range.end) = middle;
-      }
-      note({step.spots(range.middle()), step.point(range.middle())}, true);
+    constexpr double kNothing = 0x1p-30;
+    const std::vector<SectionPlace>& places = trace.places;
+    std::vector<double> values;
+    for (const SectionPlace& place : places) values.push_back(parted(place.at));
+    double most = 0.0;
+    for (const double value : values) most = std::max(most, std::abs(value));
+    const auto tells = [&](std::size_t i) { return std::abs(values[i]) > kNothing * most; };
+    std::size_t before = 0;
+    while (before < places.size() && !tells(before)) ++before;
+    const std::size_t count = places.size();
+    const std::size_t end = trace.is_closed ? count + before : count - 1;
+    for (std::size_t k = before + 1; k <= end && before < count; ++k) {
+      const std::size_t i = k % count;
+      if (!tells(i)) continue;
+      const std::size_t last = std::exchange(before, i);
+      if ((values[i] < 0.0) == (values[last] < 0.0)) continue;
+      const SectionPlace& from = places[last];
+      const SectionPlace& to = places[(last + 1) % count];
+      note((last + 1) % count == i && from.has_pieces_of(to) ? change(from, to) : SectionTouch{to.at, to.point}, true);
     }
+  }
+
+  /// The place between two others where patches that touch part to neither side.
+  SectionTouch change(const SectionPlace& from, const SectionPlace& to) const {
+    constexpr int kHalvings = 40;
+    const SectionStep step(from, to);
+    const bool is_below = parted(from.at) < 0.0;
+    Interval range{0.0, 1.0};
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = range.middle();
+      ((parted(step.spots(middle)) < 0.0) == is_below ? range.start : range.end) = middle;
+    }
+    return {step.spots(range.middle()), step.point(range.middle())};
   }
 
   /// Keeps a place where patches touch. is_exact: whether it is known to be one, so that curves end there.
