@@ -61,6 +61,8 @@ def steps():
     save_picture(OUTPUT / "self-test.png")
     view.move(view.region.x + view.region.width // 2, view.region.y + 5)
     yield from redrawn()
+    view.press('ESC')                   # where moving away has not closed it
+    yield from redrawn()
     assert "Results, bit for bit" in bpy.context.window_manager.clipboard
     with view.override():
         bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)

@@ -88,11 +88,6 @@ def is_away(data, ob):
     return moves_freely(data) and not _are_one(_matrices(data, _PLACE)[0], np.array(ob.matrix_world, dtype=np.float64))
 
 
-def place_of(data):
-    """(4, 4): the matrix of the space that a shape that moves freely is made in, or None."""
-    return _matrices(data, _PLACE)[0] if moves_freely(data) else None
-
-
 def start(data, space, ob, inputs):
     """Let a shape move freely from now on. ob: its object, or None for one that lies as the space does."""
     own = world(ob, space.depsgraph) if ob is not None else space.matrix

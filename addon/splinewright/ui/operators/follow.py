@@ -3,12 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
-from ...bridge import derived, follow, recipes, shape
+from ...bridge import derived, follow, shape
 from ...core.failures import FAILURES, Refusal
 from ...core.recipes.table import FOLLOW
 from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
-from .selected import OnSelected
+from .selected import OnFollowers
 
 
 class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
@@ -75,18 +75,18 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         return None, context.object
 
 
-class SPLINEWRIGHT_OT_set_moving(OnSelected, bpy.types.Operator):
+class SPLINEWRIGHT_OT_set_moving(OnFollowers, bpy.types.Operator):
     bl_idname = "splinewright.set_moving"
     bl_label = "Set How It Moves"
     bl_description = "What happens when a shape that is made from other objects is moved, rotated or scaled"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    needs = "Select a shape that is made from other objects"
-    fits = staticmethod(lambda ob: shape.has_shape(ob) and recipes.follows(ob.data))
     done = "Set how {} moves"
 
     how: EnumProperty(name="Moves", items=[
-        ('FREELY', "Freely", "It moves like any other object, and its inputs stay. It still follows them: what they change shows where it is now"),
-        ('WITH_INPUTS', "Stays on Inputs", "It stays where its inputs lie, whatever happens to its own place. Its axes are those of its object")])
+        ('FREELY', "Freely", "It moves like any other object, and its inputs stay. It still follows them: what they change shows "
+         "where it is now"),
+        ('WITH_INPUTS', "Stays on Inputs", "It stays where its inputs lie, whatever happens to its own place. Its axes are those "
+         "of its object")])
 
     def work(self, context, ob):
         follow.let_move_freely(ob.data, self.how == 'FREELY', context.evaluated_depsgraph_get())

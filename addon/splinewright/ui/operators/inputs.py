@@ -8,7 +8,7 @@ from ...core import sections
 from ...core.failures import FAILURES, Refusal
 from . import polls, reports
 from .from_objects import is_wanted
-from .selected import OnSelected
+from .selected import OnFollowers
 
 
 def takes_more(ob):
@@ -152,13 +152,11 @@ class SPLINEWRIGHT_OT_reverse_inputs(_Ordering, bpy.types.Operator):
         return [*inputs[:fixed], *inputs[fixed:][::-1]]
 
 
-class SPLINEWRIGHT_OT_show_inputs(OnSelected, bpy.types.Operator):
+class SPLINEWRIGHT_OT_show_inputs(OnFollowers, bpy.types.Operator):
     bl_idname = "splinewright.show_inputs"
     bl_label = "Show Inputs"
     bl_description = "Show or hide, as H does, the objects that the shape is made from; it goes on following them"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    needs = "Select a shape that is made from other objects"
-    fits = staticmethod(lambda ob: shape.has_shape(ob) and recipes.follows(ob.data))
 
     how: EnumProperty(name="How", items=[('SHOW', "Show", "They are seen"), ('HIDE', "Hide", "They are not seen")])
 
@@ -167,14 +165,9 @@ class SPLINEWRIGHT_OT_show_inputs(OnSelected, bpy.types.Operator):
         return "Showed the inputs of {}" if self.how == 'SHOW' else "Hid the inputs of {}"
 
     def work(self, context, ob):
-        show(context, recipes.pointers(ob.data), self.how == 'SHOW')
-
-
-def show(context, obs, is_shown):
-    """Show or hide those of the objects that are in the view layer."""
-    for ob in obs:
-        if context.view_layer.objects.get(ob.name) == ob:
-            ob.hide_set(not is_shown)
+        for source in recipes.pointers(ob.data):
+            if context.view_layer.objects.get(source.name) == source:
+                source.hide_set(self.how == 'HIDE')
 
 
 CLASSES = (SPLINEWRIGHT_OT_move_input, SPLINEWRIGHT_OT_turn_input, SPLINEWRIGHT_OT_remove_input, SPLINEWRIGHT_OT_add_inputs,

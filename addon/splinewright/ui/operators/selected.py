@@ -2,6 +2,7 @@
 
 from bpy.props import BoolProperty, StringProperty
 
+from ...bridge import recipes, shape
 from ...core.failures import FAILURES, sentence
 from .. import progress, texts
 from . import polls, reports
@@ -109,3 +110,13 @@ class OnSelected:
     def _in_order(context):
         """The selected objects, the active one last: of those that share data it stands for all."""
         return sorted(context.selected_objects, key=lambda ob: ob == context.object)
+
+
+class OnFollowers(OnSelected):
+    """Works on shapes that are made from other objects."""
+
+    needs = "Select a shape that is made from other objects"
+
+    @staticmethod
+    def fits(ob):
+        return shape.has_shape(ob) and recipes.follows(ob.data)
