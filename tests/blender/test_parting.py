@@ -133,11 +133,22 @@ def test_in_a_net_the_patches_whose_points_are_all_selected():
     require_exact(ob)
 
 
-def test_in_a_net_with_a_few_points_selected_it_says_what_to_select():
+def test_in_a_net_a_point_of_one_patch_alone_is_enough():
+    ob = add(value_of('four around a corner'))
+    before = ob.data.splinewright.value
+    net = enter()
+    select_rows(net, [live.known_session(net.data).net.definition.pieces[1].indices[1, 1]])
+    assert bpy.ops.splinewright.delete_pieces('EXEC_DEFAULT', True) == {'FINISHED'}
+    leave()
+    assert pieces(ob) == [before[0], before[2], before[3]]
+
+
+def test_in_a_net_with_a_point_that_patches_share_it_says_what_to_select():
     ob = add(value_of('four around a corner'))
     net = enter()
-    select_rows(net, [0])
-    with pytest.raises(RuntimeError, match="select all points of a piece"):
+    definition = live.known_session(net.data).net.definition
+    select_rows(net, np.intersect1d(definition.pieces[0].indices, definition.pieces[1].indices)[:1])
+    with pytest.raises(RuntimeError, match="select a point that no other piece has"):
         bpy.ops.splinewright.delete_pieces('EXEC_DEFAULT', True)
 
 

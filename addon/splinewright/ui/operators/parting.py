@@ -12,7 +12,7 @@ from .selected import OnSelected
 
 
 class _OnChosen(pieces.OnPieces):
-    """Works on the piece that is given, or on all whose points are selected in a net."""
+    """Works on the piece that is given; in a net on all whose points are selected, or else on the one that has the selected ones."""
 
     bl_options = {'REGISTER', 'UNDO'}
     needs = "Select a shape"
@@ -30,10 +30,10 @@ class _OnChosen(pieces.OnPieces):
         """Of the pieces, counted from 0. Raises Refusal."""
         net = next((net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob), None)
         if net is not None:
-            whole = hand.whole_pieces(net)
-            if not whole:
-                raise Refusal("select all points of a piece (L with the mouse over it)")
-            return whole
+            whole, touched = hand.whole_pieces(net), hand.pieces_of_points(net)
+            if not whole and len(touched) != 1:
+                raise Refusal("select a point that no other piece has, or all points of some pieces")
+            return whole or touched
         count = hand.count_of(ob.data)
         if self.piece > count:
             raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {self.piece}")
@@ -43,7 +43,7 @@ class _OnChosen(pieces.OnPieces):
 class SPLINEWRIGHT_OT_delete_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.delete_pieces"
     bl_label = "Delete Piece"
-    bl_description = "Take a curve or patch out of the shape: the chosen one, or in a net those whose points are all selected"
+    bl_description = "Take a curve or patch out of the shape: the chosen one, or in a net that of the selected points"
     done = "Deleted pieces of {}"
 
     def work(self, context, ob):
@@ -67,7 +67,7 @@ def _counted(outcomes):
 class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.separate_pieces"
     bl_label = "Separate Piece"
-    bl_description = ("Make a curve or patch a shape of its own: the chosen one, or in a net those whose points are all selected. "
+    bl_description = ("Make a curve or patch a shape of its own: the chosen one, or in a net that of the selected points. "
                       "Materials, attributes and modifiers go along")
     done = "Separated {}"
 
