@@ -1,5 +1,6 @@
 """Contours that are drawn point after point: segments, and arcs that go on from what is before them."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -50,10 +51,10 @@ def parts_of(contour):
 
 def _arc(start, way, end):
     chord = end - start
-    turn = np.arctan2(np.linalg.norm(np.cross(way, chord)), way @ chord)
+    turn = math.atan2(np.linalg.norm(np.cross(way, chord)), way @ chord)
     if turn < _STRAIGHT:
         return sc.BezierCurve([start, end])
-    if turn > np.pi - _STRAIGHT:
+    if turn > math.pi - _STRAIGHT:
         raise Refusal("an arc cannot go straight back")
     return sc.conics.arc_from_tangent(start, way, end)
 

@@ -1,5 +1,6 @@
 """Holes: curves and sides of patches that go round."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -123,7 +124,7 @@ def _turn(curve, at):
     start, end = curve.domain
     after = curve.derivatives(start if at is None else at, 1, side='right')[1]
     before = curve.derivatives(end if at is None else at, 1, side='left')[1]
-    return float(np.arctan2(np.linalg.norm(np.cross(before, after)), before @ after))
+    return math.atan2(np.linalg.norm(np.cross(before, after)), before @ after)
 
 
 def _loop_of_curves(sides, tolerance):

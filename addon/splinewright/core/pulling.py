@@ -1,6 +1,7 @@
 """A point of a shape is pulled, or the tangent or osculating circle of a curve there: its control points follow by the least
 change (The NURBS Book, 11.5)."""
 
+import math
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -112,7 +113,7 @@ def _bend(curve, u):
     angle = min(length * size, _ROUND)
     if angle < _STRAIGHT:
         return _Bend(speed, tangent, curvature, length * tangent)
-    return _Bend(speed, tangent, curvature, (np.sin(angle) * tangent + (1 - np.cos(angle)) * (curvature / size)) / size)
+    return _Bend(speed, tangent, curvature, (math.sin(angle) * tangent + (1 - math.cos(angle)) * (curvature / size)) / size)
 
 
 def _rows(curve):

@@ -1,6 +1,7 @@
 """The shapes that the Add menu starts from, as splinecore values of radius 1 around the origin."""
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -8,8 +9,8 @@ import numpy as np
 from .library import sc
 
 KNOTS = ('CLAMPED', 'UNCLAMPED', 'PERIODIC')
-
-
+#: Of arrays, to the last digit alike at every call, which numpy's own are not.
+_cos, _sin = (np.vectorize(function, otypes=[np.float64]) for function in (math.cos, math.sin))
 #: More control points than this in one patch are refused.
 MOST_POINTS = 1_000_000
 
@@ -51,7 +52,7 @@ def hermite_chain(count, closed):
     if closed:
         points = _circle(count)[[*range(count), 0]]
         # The cubic through both ends that meets the circle in its middle (Hermite form of S8's arc).
-        length = 4 * np.tan(np.pi / (2 * count))
+        length = 4 * math.tan(math.pi / (2 * count))
         tangents = length * (np.column_stack([-points[:, 1], points[:, 0], points[:, 2]]) + 0.0)
         return sc.HermiteCurve(points, tangents)
     points = _wave(count)
@@ -65,7 +66,7 @@ def bezier_chain(count, closed):
     if closed:
         return hermite_chain(count, True)
     x = np.linspace(-1.0, 1.0, count)
-    points = _neat(np.column_stack([x, 0.5 * np.cos(np.pi * np.arange(count)), np.zeros(count)]))
+    points = _neat(np.column_stack([x, 0.5 * _cos(np.pi * np.arange(count)), np.zeros(count)]))
     tangents = np.zeros((count, 3))
     tangents[:, 0] = 1.5 * (x[1] - x[0])
     return sc.HermiteCurve(points, tangents)
@@ -133,20 +134,20 @@ def _neat(points):
 
 def _wave(count):
     x = np.linspace(-1.0, 1.0, count)
-    y = 0.5 * np.sin(np.pi * x) if count > 3 else 0.5 * (1.0 - x * x)
+    y = 0.5 * _sin(np.pi * x) if count > 3 else 0.5 * (1.0 - x * x)
     return _neat(np.column_stack([x, y, np.zeros(count)]))
 
 
 def _circle(count):
     angles = np.arange(count) * (2 * np.pi / count)
-    return _neat(np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)]))
+    return _neat(np.column_stack([_cos(angles), _sin(angles), np.zeros(count)]))
 
 
 def _hill(count_u, count_v):
     x, y = np.meshgrid(np.linspace(-1.0, 1.0, count_u), np.linspace(-1.0, 1.0, count_v), indexing='ij')
     inside = np.zeros((count_u, count_v))
     inside[1:-1, 1:-1] = 1.0
-    return _neat(np.stack([x, y, inside * np.cos(0.5 * np.pi * x * 0.9) * np.cos(0.5 * np.pi * y * 0.9)], -1))
+    return _neat(np.stack([x, y, inside * _cos(0.5 * np.pi * x * 0.9) * _cos(0.5 * np.pi * y * 0.9)], -1))
 
 
 def _tube(around, along):
@@ -159,7 +160,7 @@ def _tube(around, along):
 
 def _torus(around, across):
     angles = np.arange(across) * (2 * np.pi / across)
-    radius, height = 1.0 + 0.4 * np.cos(angles), 0.4 * np.sin(angles)
+    radius, height = 1.0 + 0.4 * _cos(angles), 0.4 * _sin(angles)
     circle = _circle(around)
     return _neat(np.stack([circle[:, None, 0] * radius, circle[:, None, 1] * radius,
                            np.broadcast_to(height, (around, across))], -1))

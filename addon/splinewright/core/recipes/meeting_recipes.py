@@ -1,5 +1,7 @@
 """Curves beside curves and where surfaces meet, live (lecture row S18)."""
 
+import math
+
 import numpy as np
 
 from .. import flat, joints, meets, verbs
@@ -9,9 +11,9 @@ from .recipe import Parameter, Recipe, Result
 from .surface_recipes import AXIS, axis_of
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from where it should be, in the scene", 1e-4, 1e-9,
-                       unit='LENGTH')
+                       unit='LENGTH', of_scene=True)
 _OWN_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from where it should be", 1e-4, 1e-9,
-                           unit='LENGTH')
+                           unit='LENGTH', of_scene=True)
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
 _ENDS = (("nearest", "Nearest", "The end that is nearest to the other curve"), ("start", "Start", "Where the curve starts"),
          ("end", "End", "Where the curve ends"))
@@ -153,12 +155,12 @@ def _without_corners(points, corners, size, closed):
     count = len(points)
     before, behind, bridges = points.copy(), points.copy(), [None] * count
     for i in range(count) if closed else range(1, count - 1):
-        turn = np.arctan2(np.linalg.norm(np.cross(ways[i - 1], ways[i])), ways[i - 1] @ ways[i])
-        if not _LEAST_TURN < turn < np.pi - _LEAST_TURN:
+        turn = math.atan2(np.linalg.norm(np.cross(ways[i - 1], ways[i])), ways[i - 1] @ ways[i])
+        if not _LEAST_TURN < turn < math.pi - _LEAST_TURN:
             continue
         room = min(lengths[i - 1] * (1.0 if not closed and i == 1 else 0.5),
                    lengths[i] * (1.0 if not closed and i == count - 2 else 0.5))
-        taken = min(size * np.tan(turn / 2) if corners == 'round' else size, room)
+        taken = min(size * math.tan(turn / 2) if corners == 'round' else size, room)
         before[i], behind[i] = points[i] - taken * ways[i - 1], points[i] + taken * ways[i]
         bridges[i] = (sc.conics.arc_from_tangent(before[i], ways[i - 1], behind[i]) if corners == 'round'
                       else _segment(before[i], behind[i]))
