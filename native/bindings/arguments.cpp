@@ -10,10 +10,10 @@ using splinecore::Axis;
 using splinecore::Border;
 using splinecore::InvalidShape;
 
-std::optional<double> tolerance_of(const py::object& value) {
-  const std::optional<double> tolerance = optional_real(value, "tolerance");
+std::optional<double> tolerance_of(const py::object& value, const char* name) {
+  const std::optional<double> tolerance = optional_real(value, name);
   if (!tolerance || *tolerance >= 0.0) return tolerance;
-  throw InvalidShape("tolerance = " + splinecore::text_of(*tolerance) + " is below 0");
+  throw InvalidShape(name + (" = " + splinecore::text_of(*tolerance)) + " is below 0");
 }
 
 splinecore::Interval interval_of(const py::object& value, const char* name) {

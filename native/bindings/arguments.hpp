@@ -14,7 +14,7 @@ namespace bindings {
 namespace py = pybind11;
 
 /// A length, or none for None. @throws InvalidShape if it is below 0 or not finite.
-std::optional<double> tolerance_of(const py::object& value);
+std::optional<double> tolerance_of(const py::object& value, const char* name = "tolerance");
 
 /// (start, end)
 splinecore::Interval interval_of(const py::object& value, const char* name);

@@ -99,18 +99,19 @@ void bind_networks(py::module_& module) {
             "not one sign, or if a curve of vectors has weights or jumps; ToleranceNotReached says how far neighbours' ends lie\n"
             "apart, and which derivative is not that along the next side.");
   build.def("network", [](const py::object& along_u, const py::object& along_v, const py::object& neighbours,
-                          const py::object& tolerance, const py::object& cancel) {
+                          const py::object& tolerance, const py::object& gap, const py::object& cancel) {
               const std::vector<NurbsCurve> u = any_curves(along_u, "along_u");
               const std::vector<NurbsCurve> v = any_curves(along_v, "along_v");
               const auto beyond = neighbours_of(neighbours);
               const auto within = tolerance_of(tolerance);
-              return unlocked([&] { return splinecore::network(u, v, within, beyond); }, cancel);
+              const auto between = tolerance_of(gap, "gap");
+              return unlocked([&] { return splinecore::network(u, v, within, beyond, between); }, cancel);
             }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("neighbours") = py::none(),
-            py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
+            py::arg("tolerance") = py::none(), py::arg("gap") = py::none(), py::arg("cancel") = py::none(),
             "The surface through a network of curves of any kinds, each of the first ones meeting each of the others once:\n"
             "(value, error), a NurbsPatch and the largest distance from a curve. The surfaces through either, less the one\n"
             "through their crossings (Gordon 1969; lecture row S21).\n\n"
-            "Any order and directions; what hangs over the outermost curves by more than the tolerance is cut off. Outermost curves\n"
+            "Any order and directions; what hangs over the outermost curves by more than the gap is cut off. Outermost curves\n"
             "keep their pace, so that edges of other patches stay edges. Where others are not at the same parameters at all\n"
             "crossings, or their weights cannot be made one there, they are run through at another pace within half the tolerance,\n"
             "a length, by default 2^-20 of the size; otherwise nothing is rounded, and curves of a patch give it back where they\n"
@@ -119,6 +120,8 @@ void bind_networks(py::module_& module) {
             "direction are closed, the surface is, also through two or three of the others, and begins where the outermost one does.\n\n"
             "neighbours are (patch, side, 'G1'): from each the surface goes on, in its tangent planes to 1e-4 radians, over the\n"
             "outermost curve that lies on that side; rational curves become polynomials then, and all must leave it in these planes.\n\n"
+            "gap, a length, is how far curves may pass one another, by default the tolerance; where it is given the surface may lie\n"
+            "farther from them by up to 8 times the largest distance at which two do.\n\n"
             "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, that are\n"
             "a point or cross another one where a third does, fewer than four closed ones across as few, or a neighbour\n"
             "that lies along none of the outermost curves; ToleranceNotReached.");

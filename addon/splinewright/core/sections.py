@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from .failures import Refusal
+from . import decimals
+from .failures import AboutInputs, Refusal
 
 #: Parts of a curve's domain at which it is looked at.
 _PARTS = np.linspace(0.0, 1.0, 33)
@@ -74,25 +75,27 @@ def _mark(curve):
 
 def loop(curves, tolerance):
     """Curves in the order in which they go round, from the first on to the one whose end is nearest to where it ends. Raises
-    Refusal where they leave a gap that is wider than a tolerance."""
-    left, order = list(curves[1:]), [curves[0]]
+    AboutInputs where they leave a gap that is wider than a tolerance."""
+    left, order, gaps = list(range(1, len(curves))), [0], []
     start, at = ends(curves[0])
-    widest = 0.0
     while left:
-        gaps = [np.linalg.norm(ends(curve) - at, axis=1) for curve in left]
-        nearest = min(range(len(left)), key=lambda i: gaps[i].min())
-        widest = max(widest, gaps[nearest].min())
-        at = ends(left[nearest])[1 - gaps[nearest].argmin()]
+        apart = [np.linalg.norm(ends(curves[i]) - at, axis=1) for i in left]
+        nearest = min(range(len(left)), key=lambda i: apart[i].min())
+        gaps.append(apart[nearest].min())
+        at = ends(curves[left[nearest]])[1 - apart[nearest].argmin()]
         order.append(left.pop(nearest))
-    widest = max(widest, np.linalg.norm(at - start))
-    if widest > tolerance:
-        raise Refusal(f"the curves do not close: ends that should meet lie up to {widest:.3g} apart")
-    return order
+    gaps.append(np.linalg.norm(at - start))
+    widest = int(np.argmax(gaps))
+    if gaps[widest] > tolerance:
+        raise AboutInputs(f"the curves do not close: ends of {{}} and {{}} lie {decimals.text_of(gaps[widest], 3)} apart, the "
+                          f"tolerance is {decimals.text_of(tolerance, 3)}", order[widest], order[(widest + 1) % len(order)])
+    return [curves[i] for i in order]
 
 
-def families(curves, tolerance):
-    """(curves, curves): those of a network, each of which meets all of the other family and none of its own. Raises Refusal."""
-    reach = max(tolerance, _MEET * size_of(curves))
+def families(curves, gap, numbers):
+    """(curves, curves): those of a network, each of which comes within a gap of all of the other family and of none of its own.
+    numbers: of the curves among the inputs. Raises Refusal."""
+    reach = max(gap, _MEET * size_of(curves))
     meets = np.zeros((len(curves), len(curves)), bool)
     for i, j in zip(*np.triu_indices(len(curves), 1)):
         meets[i, j] = meets[j, i] = _meet(curves[i], curves[j], reach)
@@ -106,10 +109,17 @@ def families(curves, tolerance):
                 waiting.append(j)
     alone = [i for i in range(len(curves)) if i not in family]
     if alone:
-        raise Refusal(f"curve {alone[0] + 1} of {len(curves)} meets none of the others within {reach:.2g}")
+        apart, nearest = min((_apart(curves[alone[0]], curves[j]), j) for j in range(len(curves)) if j != alone[0])
+        raise AboutInputs(f"{{}} meets no other curve: it comes to about {decimals.text_of(apart, 2)} of {{}}, the gap that is "
+                          f"allowed is {decimals.text_of(reach, 2)}", numbers[alone[0]], numbers[nearest])
     if any(meets[i, j] and family[i] == family[j] for i in family for j in family):
         raise Refusal("the curves are not two families that run across each other: three of them meet one another")
     return tuple([curves[i] for i in range(len(curves)) if family[i] == wanted] for wanted in (0, 1))
+
+
+def _apart(a, b):
+    """About how near two curves come."""
+    return min(float(one.nearest(samples(other)).distances.min()) for one, other in ((a, b), (b, a)))
 
 
 def _meet(a, b, reach):

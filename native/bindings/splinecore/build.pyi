@@ -276,6 +276,7 @@ def network(
     *,
     neighbours: Sequence[_Neighbour] | None = None,
     tolerance: float | None = None,
+    gap: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> NetworkSurface: ...
 def sweep(

@@ -10,9 +10,9 @@
 
 namespace splinecore {
 
-void require_tolerance(double tolerance) {
+void require_tolerance(double tolerance, const char* name) {
   if (std::isfinite(tolerance) && tolerance > 0.0) return;
-  throw InvalidShape("tolerance = " + text_of(tolerance) + " is not a positive length");
+  throw InvalidShape(name + (" = " + text_of(tolerance)) + " is not a positive length");
 }
 
 void require_domain(const Interval& domain, const std::string& argument) {

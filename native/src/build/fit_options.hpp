@@ -16,7 +16,7 @@ inline constexpr int kLeastMeasured = 4096;
 inline constexpr double kAccepted = 0.9;
 
 /// @throws InvalidShape unless it is a positive, finite length.
-void require_tolerance(double tolerance);
+void require_tolerance(double tolerance, const char* name = "tolerance");
 
 /// @throws InvalidShape naming the argument unless both ends and their distance are finite and it increases.
 void require_domain(const Interval& domain, const std::string& argument);

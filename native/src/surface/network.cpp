@@ -293,7 +293,8 @@ void require_neighbours(std::span<const LoftNeighbour> neighbours) {
 struct NetworkTask {
   const NetworkCurves& curves;
   const std::vector<LoftNeighbour>& beyond;
-  double within;
+  double fit;     ///< how near curves are run through that do not meet the others as they are
+  double within;  ///< how far the surface may lie from them
   double unit;
 };
 
@@ -318,7 +319,8 @@ bool are_positive(const PacedFamily& family) {
 
 /// @param fit  how near curves are run through that do not meet the others as they are
 FoundSurface found_surface(const NetworkTask& task, double fit) {
-  const auto& [u, v] = task.curves;
+  const NetworkFamily& u = task.curves.u;
+  const NetworkFamily& v = task.curves.v;
   GordonNet net{paced(u, !v.is_closed), paced(v, !u.is_closed), {}};
   let_meet(net, !task.beyond.empty(), fit);
   NurbsPatch patch = patch_of(net, task);
@@ -337,13 +339,16 @@ FoundSurface found_surface(const NetworkTask& task, double fit) {
   return {std::move(net), std::move(patch), with_sides};
 }
 
+/// Where curves pass one another the sum runs between them, and swings by more where they lie unevenly.
+constexpr double kMissed = 8.0;
+
 /// Fits that the sum makes worse are made closer.
 FoundSurface surface_within(const NetworkTask& task) {
   constexpr double kCloser = 0x1p-4;
-  FoundSurface found = found_surface(task, task.within);
+  FoundSurface found = found_surface(task, task.fit);
   const auto are_given = [](const PacedFamily& family) { return family.is_there() && !is_rational(family); };
   const bool is_fitted = !are_given(found.net.u) || !are_given(found.net.v);
-  if (found.error > task.within && is_fitted) found = found_surface(task, kCloser * task.within);
+  if (found.error > task.within && is_fitted) found = found_surface(task, kCloser * task.fit);
   if (found.error <= task.within) return found;
   const char* const reason = task.beyond.empty()
                                  ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
@@ -354,8 +359,10 @@ FoundSurface surface_within(const NetworkTask& task) {
 }  // namespace
 
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
-                                  std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours) {
+                                  std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours,
+                       std::optional<double> gap) {
   if (tolerance) require_tolerance(*tolerance);
+  if (gap) require_tolerance(*gap, "gap");
   require_neighbours(neighbours);
   const std::vector<glm::dvec4> all = points_of(along_u, along_v);
   const NearSpace space(all);
@@ -366,9 +373,11 @@ NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const Nurb
   };
   std::vector<LoftNeighbour> beyond(neighbours.begin(), neighbours.end());
   for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
-  const double within = tolerance ? *tolerance / space.length(1.0) : 0x1p-20;
-  const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), within, space.length(1.0));
-  const FoundSurface found = said_outside(space, [&] { return surface_within({curves, beyond, within, space.length(1.0)}); });
+  const double unit = space.length(1.0);
+  const double fit = tolerance ? *tolerance / unit : 0x1p-20;
+  const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), gap ? *gap / unit : fit, unit);
+  const double within = gap ? fit + kMissed * curves.missed : fit;
+  const FoundSurface found = said_outside(space, [&] { return surface_within({curves, beyond, fit, within, unit}); });
   std::array<std::optional<double>, 4> paces = distances_of_paces(found.patch, found.net.u, found.net.v);
   for (auto& distance : paces) {
     if (distance) distance = space.length(*distance);

@@ -26,6 +26,7 @@ using Table = std::vector<std::vector<double>>;
 struct NetworkCrossings {
   Table on_u;
   Table on_v;
+  double missed = 0.0;
 };
 
 /// Of curves about 1 large: so near they meet, and where they are farther apart than this they only pass one another.
@@ -79,18 +80,18 @@ void require_apart(std::span<const NurbsCurve> curves, const Table& on, const ch
   }
 }
 
-NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double gap,
                               double unit) {
   NetworkCrossings found{Table(along_u.size(), std::vector<double>(along_v.size())),
                   Table(along_v.size(), std::vector<double>(along_u.size()))};
   for (std::size_t i = 0; i < along_u.size(); ++i) {
     for (std::size_t j = 0; j < along_v.size(); ++j) {
-      const CurveIntersections meets = intersections(along_u[i], along_v[j], tolerance);
+      const CurveIntersections meets = intersections(along_u[i], along_v[j], gap);
       if (!meets.overlaps.empty()) throw InvalidShape(pair_text(i, j) + " lie on each other: they are to cross once");
       if (meets.places.empty()) {
         throw InvalidShape(pair_text(i, j) + " do not meet: they come to " +
-                           text_of(unit * least_distance(along_u[i], along_v[j])) + " of each other, the tolerance is " +
-                           text_of(unit * tolerance));
+                           text_of(unit * least_distance(along_u[i], along_v[j])) + " of each other, the gap that is allowed is " +
+                           text_of(unit * gap));
       }
       const CurveIntersection& nearest_place = *std::ranges::min_element(meets.places, {}, &CurveIntersection::distance);
       const auto are_as_near = [&](const CurveIntersection& one) { return one.distance <= std::max(kMet, nearest_place.distance); };
@@ -98,6 +99,7 @@ NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<con
         throw InvalidShape(pair_text(i, j) + " meet in " + std::to_string(meets.places.size()) +
                            " places: they are to cross once");
       }
+      found.missed = std::max(found.missed, nearest_place.distance);
       found.on_u[i][j] = nearest_place.a;
       found.on_v[j][i] = nearest_place.b;
     }
@@ -215,26 +217,27 @@ void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, con
 
 }  // namespace
 
-NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double gap,
                              double unit) {
   for (const auto& [family, name] : {std::pair{along_u, "along_u"}, std::pair{along_v, "along_v"}}) {
     if (family.size() < 2) throw InvalidShape(std::string(name) + " has fewer than two curves");
     require_lengths(family, name);
   }
-  const NetworkCrossings found = crossings_of(along_u, along_v, tolerance, unit);
+  const NetworkCrossings found = crossings_of(along_u, along_v, gap, unit);
   require_apart(along_u, found.on_u, "along_u", "along_v");
   require_apart(along_v, found.on_v, "along_v", "along_u");
   const std::vector<std::size_t> order_u = order_of(found.on_v[0]);
   const std::vector<std::size_t> order_v = order_of(found.on_u[0]);
   NetworkCurves network;
+  network.missed = found.missed;
   network.u.is_closed = are_all_closed(along_u);
   network.v.is_closed = are_all_closed(along_v);
   network.u.curves = in_order(std::vector(along_u.begin(), along_u.end()), order_u);
   network.v.curves = in_order(std::vector(along_v.begin(), along_v.end()), order_v);
   for (const std::size_t i : order_u) network.u.crossings.push_back(in_order(found.on_u[i], order_v));
   for (const std::size_t j : order_v) network.v.crossings.push_back(in_order(found.on_v[j], order_u));
-  run_along(network.u, order_u, "along_u", tolerance);
-  run_along(network.v, order_v, "along_v", tolerance);
+  run_along(network.u, order_u, "along_u", gap);
+  run_along(network.v, order_v, "along_v", gap);
   return network;
 }
 

@@ -24,10 +24,11 @@ struct NetworkFamily {
 struct NetworkCurves {
   NetworkFamily u;
   NetworkFamily v;
+  double missed = 0.0;  ///< the largest distance at which two pass each other
 };
 
 /// @throws InvalidShape as network()
-NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double tolerance,
+NetworkCurves network_curves(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v, double gap,
                              double unit);
 
 }  // namespace splinecore

@@ -10,7 +10,7 @@ from ..library import sc
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
-                       unit='LENGTH')
+                       unit='LENGTH', of_scene=True)
 _PLACED = Parameter("placed", "Sections", "Where the sections are taken from", "upright", choices=(
     ("upright", "Set Upright", "From the plane of each section's own x and y, with its origin on the rail"),
     ("there", "Where They Lie", "From where each section lies at the rail, which it moves along as it is")))
@@ -89,15 +89,16 @@ def _first_radii(inputs):
     return {'radius': radius, 'end_radius': radius}
 
 
-def _network(inputs, tolerance, cancel=None):
-    curves = [_one_curve(definition) for definition in inputs if definition.has_curves]
+def _network(inputs, tolerance, gap, cancel=None):
+    numbers = [number for number, definition in enumerate(inputs) if definition.has_curves]
+    curves = [_one_curve(inputs[number]) for number in numbers]
     beside = neighbours.beside([verbs.pieces_of(definition) for definition in inputs if not definition.has_curves], curves,
-                               tolerance)
-    along_u, along_v = sections.families(curves, tolerance)
-    found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, cancel=cancel)
+                               gap or tolerance)
+    along_u, along_v = sections.families(curves, gap or tolerance, numbers)
+    found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, gap=gap or None, cancel=cancel)
     if not beside:
         return _within(found)
-    angle = neighbours.angle_to(found.value, beside, tolerance)
+    angle = neighbours.angle_to(found.value, beside, gap or tolerance)
     return Result(found.value, found.error, f"angle {_degrees(angle)}° to surfaces beside it")
 
 
@@ -170,7 +171,9 @@ FROM_CURVES = (
 FROM_BOTH = (
     Recipe("network", "Surface of a Network",
            "The surface on which curves lie that run across each other, in any order; from surfaces on whose sides its outermost "
-           "curves lie it goes on with their tangent planes; it follows them", (_TOLERANCE,),
+           "curves lie it goes on with their tangent planes; it follows them",
+           (_TOLERANCE, Parameter("gap", "Gap", "How far curves may pass one another, in the scene; 0: as far as the tolerance", 0.0,
+                                  0.0, unit='LENGTH')),
            _network, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more"), has_more=True,
            is_measured=True, takes_cancel=True),
     Recipe("filling", "Fill",

@@ -23,7 +23,7 @@ struct NetworkSurface {
 /// The surface through a network of curves, each of the first ones meeting each of the others once: the sum of the
 /// surfaces through either, less the one through their crossings (Gordon 1969; Lin and Hewitt 1994; row S21).
 ///
-/// Any order and any directions; what hangs over the outermost curves by more than the tolerance is cut off. Curves along v are at
+/// Any order and any directions; what hangs over the outermost curves by more than the gap is cut off. Curves along v are at
 /// the same parameters on all those along u, and these on all those along v. Outermost curves keep their pace and their weights, but
 /// for a factor that is the same everywhere or linear, so that edges of other patches stay edges: the others are run through at
 /// their pace, and with weights between theirs, within half the tolerance where they do not cross so. Where both outermost ones
@@ -34,7 +34,9 @@ struct NetworkSurface {
 /// @param along_u    two or more; if all are closed, the surface is periodic in u, also through two or three of the others: where
 ///                    these leave it free it goes by the closed ones alone, half-way between
 /// @param along_v    two or more, likewise
-/// @param tolerance  how far curves may pass one another, and the surface lie from them; none: 2^-20 of their size
+/// @param tolerance  how far the surface may lie from the curves; none: 2^-20 of their size
+/// @param gap         how far curves may pass one another; none: the tolerance. With a gap the surface may lie farther from them
+///                    by up to 8 times the largest distance at which two do
 /// @param neighbours  patches from whose tangent planes, to 1e-4 radians, the surface goes on, with continuity 1, over an outermost curve that
 ///                    lies on their side; rational curves are then run through as polynomials. The strength is not used
 /// @throws InvalidShape naming the curves that do not meet once, are a point, cross in one place with another one or in another
@@ -42,6 +44,7 @@ struct NetworkSurface {
 ///         outermost curves, or one over which a curve turns back; ToleranceNotReached, also where curves do not leave a
 ///         neighbour in its tangent planes.
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
-                       std::optional<double> tolerance = {}, std::span<const LoftNeighbour> neighbours = {});
+                       std::optional<double> tolerance = {}, std::span<const LoftNeighbour> neighbours = {},
+                       std::optional<double> gap = {});
 
 }  // namespace splinecore
