@@ -19,7 +19,7 @@ _ICONS_OF_MADE = {'revolve': 'MOD_SCREW', 'extrude': 'MOD_SOLIDIFY', 'ruled': 'M
                   'sweep': 'CURVE_PATH', 'two_rails': 'CURVE_PATH', 'pipe': 'META_CAPSULE', 'network': 'MOD_LATTICE',
                   'filling': 'MESH_GRID', 'surface_blend': 'MOD_SMOOTH', 'matched': 'SNAP_EDGE', 'rounded_edge': 'MOD_BEVEL',
                   'offset_surface': 'MOD_OFFSET', 'thickened': 'MOD_SOLIDIFY', 'extended_surface': 'MOD_EDGESPLIT',
-                  'of_mesh': 'MOD_SUBSURF'}
+                  'of_mesh': 'MOD_SUBSURF', 'mirror': 'MOD_MIRROR'}
 
 
 class SPLINEWRIGHT_MT_curve_add(bpy.types.Menu):

@@ -3,7 +3,7 @@
 import bpy
 import gpu
 
-from ..bridge import shape, sights
+from ..bridge import images, shape, sights
 from ..bridge.file_state import state
 from ..bridge.net import net_object
 from . import deviation_paint, editing, sights_strokes, strokes, surface_paint
@@ -27,11 +27,12 @@ def draw():
     if chosen.deviation:
         deviation_paint.draw_lines(chosen, obs)
     for ob in obs:
-        with gpu.matrix.push_pop(), strokes.nearer():
-            gpu.matrix.multiply_matrix(ob.matrix_world)
-            for behind, drawn in _strokes(ob, chosen):
-                gpu.state.depth_test_set('NONE' if behind or ob.show_in_front else 'LESS_EQUAL')
-                strokes.draw(drawn)
+        for matrix in images.of(ob):
+            with gpu.matrix.push_pop(), strokes.nearer():
+                gpu.matrix.multiply_matrix(matrix)
+                for behind, drawn in _strokes(ob, chosen):
+                    gpu.state.depth_test_set('NONE' if behind or ob.show_in_front else 'LESS_EQUAL')
+                    strokes.draw(drawn)
     gpu.state.depth_test_set('NONE')
 
 

@@ -11,7 +11,7 @@ _FROM_TWO = ("Surface", ('add_ruled', 'add_loft', 'add_sweep'))
 _FROM_MANY = ("Surface", ('add_loft', 'add_sweep'))
 _FROM_PATCH = ("Surface", ('add_offset_surface', 'add_thickened'))
 _FROM_PATCHES = ("Surface", ('add_surface_blend', 'add_matched'))
-_FOLLOW = ("Copy", ('follow_object',))
+_FOLLOW = ("Copy", ('follow_object', 'add_mirror'))
 _JOIN = {'curve': ("Join", ('join_ends', 'join')), 'patch': ("Join", ('join_patches', 'join'))}
 _JOIN_MANY = ("Join", ('join',))
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import gpu
 
-from ..bridge import sights
+from ..bridge import images, sights
 from ..core.sights import faces
 from . import legend, strokes, surface_shader
 
@@ -26,12 +26,16 @@ def draw(chosen, obs):
     for ob, painted in found:
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
         with strokes.nearer(_PART):
-            if chosen.curvature:
-                surface_shader.draw(painted.batch, ob.matrix_world, 'NUMBERS', reach=reach)
-            else:
-                surface_shader.draw(painted.batch, ob.matrix_world, chosen.stripe_kind, chosen.stripe_count,
-                                    chosen.stripe_axis)
+            for matrix in images.of(ob):
+                _draw(chosen, painted.batch, matrix, reach)
     gpu.state.depth_test_set('NONE')
+
+
+def _draw(chosen, batch, matrix, reach):
+    if chosen.curvature:
+        surface_shader.draw(batch, matrix, 'NUMBERS', reach=reach)
+    else:
+        surface_shader.draw(batch, matrix, chosen.stripe_kind, chosen.stripe_count, chosen.stripe_axis)
 
 
 def _painted(chosen, obs):

@@ -1,0 +1,137 @@
+"""Shapes and their images in a mirror, as one: what ends on the plane goes on across it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import verbs
+from .failures import Refusal
+from .library import sc
+
+#: Weights of two rows differ by one factor if they do so up to this part.
+_SAME = 1e-9
+_SIDES = ((0, 0), (0, -1), (1, 0), (1, -1))     # of the axes u and v: the first row and the last one
+
+
+class Plane(NamedTuple):
+    point: np.ndarray                   # (3,): on it
+    normal: np.ndarray                  # (3,): of length 1
+
+    def heights(self, points):
+        return (points - self.point) @ self.normal
+
+    def on(self, points):
+        """(…, 3): the nearest points of the plane."""
+        return points - self.heights(points)[..., None] * self.normal
+
+    def image(self, points, weights):
+        """(…, 3): points in the mirror; those at infinity, of weight 0, are directions."""
+        heights = np.where(weights != 0.0, self.heights(points), points @ self.normal)
+        return points - 2.0 * heights[..., None] * self.normal
+
+
+class Mirrored(NamedTuple):
+    pieces: list                        # of splinecore values: the half and its image
+    count: int                          # of the ends or borders that lie on the plane
+    moved: float                        # by how much the farthest control point went
+    across: int                         # how many control points lie on the other side
+
+
+def mirrored(definition, plane, gap, is_smooth):
+    """A shape and its image. Ends and borders within a gap of the plane go onto it; is_smooth: what is next to them goes so that
+    tangent planes, and with them curvatures, go on across it: by symmetry they do where the shape leaves the plane at right
+    angles. Raises Refusal where weights are in the way of that, and where all lies in the plane."""
+    pieces = [piece.to_nurbs() for piece in verbs.pieces_of(definition)]
+    halves = [_half(piece, plane, gap, is_smooth) for piece in pieces]
+    heights = _heights(halves, plane)
+    if not np.abs(heights).max(initial=0.0) > gap:
+        raise Refusal("it lies in the plane: its image is itself")
+    most = heights[np.abs(heights).argmax()]
+    join = _joined_curves if definition.has_curves else _both_patches
+    return Mirrored([piece for half in halves for piece in join(half, plane)], sum(len(half.rows) for half in halves),
+                    max(half.moved for half in halves), int((np.sign(most) * heights < -max(gap, 1e-12)).sum()))
+
+
+class _Half(NamedTuple):
+    value: object
+    rows: list                          # pairs of an axis and an index: the control points on the plane
+    moved: float
+
+
+def suggested_axis(definition, gap):
+    """The one of x, y and z on whose plane through the origin most ends or borders lie; x where none does. A plane in which
+    all lies is none."""
+    pieces = [piece.to_nurbs() for piece in verbs.pieces_of(definition)]
+    planes = {name: Plane(np.zeros(3), normal) for name, normal in zip('xyz', np.eye(3))}
+    halves = {name: [_half(piece, plane, gap, False) for piece in pieces] for name, plane in planes.items()}
+    possible = [name for name, plane in planes.items() if np.abs(_heights(halves[name], plane)).max(initial=0.0) > gap]
+    return max(possible or planes, key=lambda name: sum(len(half.rows) for half in halves[name]))
+
+
+def _heights(halves, plane):
+    """(n,): of all control points that are not at infinity."""
+    return np.concatenate([plane.heights(half.value.points[half.value.weights != 0.0]) for half in halves])
+
+
+def _half(piece, plane, gap, is_smooth):
+    clamped = _clamped(piece)
+    points, weights = clamped.points.copy(), clamped.weights
+    count = points.ndim - 1
+    rows = [(axis, i) for axis, i in _SIDES if axis < count and not _is_periodic(clamped, axis)
+            and _is_near(_row(points, axis, i), _row(weights, axis, i), plane, gap)]
+    for axis, i in rows:
+        _row(points, axis, i)[...] = plane.on(_row(points, axis, i))
+    for axis, i in rows if is_smooth else ():
+        _straighten(points, weights, axis, i, plane)
+    moved = float(np.linalg.norm(points - clamped.points, axis=-1).max())
+    return _Half(clamped.with_points(points) if rows else piece, rows, moved)
+
+
+def _is_periodic(piece, axis):
+    return piece.periodic if isinstance(piece.periodic, bool) else piece.periodic[axis]
+
+
+def _clamped(piece):
+    """With its ends in its outer points, unless it has none."""
+    if isinstance(piece, sc.NurbsCurve):
+        return piece if piece.periodic else piece.clamped()
+    for axis, name in enumerate('uv'):
+        piece = piece if piece.periodic[axis] else piece.clamped(name)
+    return piece
+
+
+def _row(array, axis, i):
+    return array[(slice(None),) * axis + (i,)]
+
+
+def _is_near(points, weights, plane, gap):
+    return bool((weights != 0.0).all()) and bool((np.abs(plane.heights(points)) <= gap).all())
+
+
+def _straighten(points, weights, axis, i, plane):
+    """Let the row beside one on the plane lie at right angles to it."""
+    beside = 1 if i == 0 else -2
+    ratio = _row(weights, axis, beside) / _row(weights, axis, i)
+    if np.ptp(ratio) > _SAME * np.abs(ratio).max():
+        raise Refusal("weights along a border on the plane change otherwise than those beside it: tangent planes cannot be held "
+                      "across it")
+    row = _row(points, axis, beside)
+    row[...] = _row(points, axis, i) + plane.heights(row)[..., None] * plane.normal
+
+
+def _image(half, plane):
+    """The half in the mirror; what lies on the plane stays, to the last digit."""
+    value = half.value
+    points = plane.image(value.points, value.weights)
+    for axis, i in half.rows:
+        _row(points, axis, i)[...] = _row(value.points, axis, i)
+    return value.with_points(points)
+
+
+def _both_patches(half, plane):
+    return [half.value, _image(half, plane).swapped()]
+
+
+def _joined_curves(half, plane):
+    image = _image(half, plane)
+    return sc.build.join_curves([half.value, image], 0.0) if half.rows else [half.value, image]

@@ -1,0 +1,53 @@
+"""A shape and its image in a plane, live."""
+
+import numpy as np
+
+from .. import decimals, mirroring
+from ..failures import Refusal
+from ..library import sc
+from .recipe import Parameter, Recipe, Result
+from .surface_recipes import AXIS, axis_of
+
+#: Ends and borders this near to a plane, as a part of the size, lie on it when it is looked for.
+_NEAR = 0.01
+
+
+def _mirror(inputs, axis, gap, smooth, frame=None):
+    definition, = inputs
+    point, direction = axis_of(axis, (0.0, 0.0, 0.0), frame)
+    plane = mirroring.Plane(point, direction / np.linalg.norm(direction))
+    found = mirroring.mirrored(definition, plane, gap, smooth)
+    if definition.has_curves:
+        value = found.pieces if len(found.pieces) > 1 else found.pieces[0]
+    else:
+        value = sc.PatchSet.from_patches(found.pieces)
+    return Result(value, 0.0, _said(found, "end" if definition.has_curves else "border", gap))
+
+
+def _said(found, noun, gap):
+    if not found.count:
+        yet = f"no {noun} lies on the plane within {decimals.text_of(gap, 3)}: the halves are apart"
+    else:
+        yet = f"{found.count} {noun}{'s' if found.count > 1 else ''} on the plane, points moved by {decimals.text_of(found.moved, 2)}"
+    return yet + ("; it crosses the plane" if found.across else "")
+
+
+def _first_values(inputs):
+    definition, = inputs
+    places = definition.pool[definition.pool[:, 3] != 0.0, :3]
+    if not len(places):
+        raise Refusal("it has no points")
+    size = float(np.linalg.norm(np.ptp(places, axis=0)))
+    return {'axis': mirroring.suggested_axis(definition, _NEAR * size)}
+
+
+RECIPES = (
+    Recipe("mirror", "Mirror",
+           "A curve or surface and its image in a plane, as one shape: ends and borders on the plane are joined, and go on smoothly "
+           "across it; it follows the half",
+           (AXIS, Parameter("gap", "Merge Distance", "How far ends and borders may lie from the plane to be taken onto it", 1e-3, 0.0,
+                            unit='LENGTH'),
+            Parameter("smooth", "Smooth Across", "Move points beside the plane so that tangent planes and curvatures (G2) go on "
+                      "across it", True)),
+           _mirror, is_surface=True, resolution=12, inputs=("one curve or surface",), frame="Plane", first_values=_first_values),
+)
