@@ -1,12 +1,17 @@
 """How finely a shape is shown: the settings of its data-block, and the faces they ask for."""
 
+import math
+
 import numpy as np
 from mathutils import Matrix
 
 from ..core.failures import Refusal
 from ..core.library import sc
 from . import settings
-from .settings import ANGLE, BOTH, COUNT, TOLERANCE
+from .settings import ANGLE, AUTOMATIC, BOTH, COUNT, TOLERANCE
+
+#: Automatic faces come as near to a surface as this part of its size, and normals turn by no more on a face, in radians.
+_SHARE, _TURN = 5e-4, math.radians(10.0)
 
 
 def of(data):
@@ -25,8 +30,16 @@ def tessellated(data, patch_set):
     mode, resolution_u, resolution_v, tolerance, angle = of(data)
     if mode == COUNT:
         return sc.Tessellation(patch_set, (resolution_u, resolution_v))
+    if mode == AUTOMATIC:
+        return sc.Tessellation.adaptive(patch_set, tolerance=_SHARE * _size(patch_set) or None, angle=_TURN)
     return sc.Tessellation.adaptive(patch_set, tolerance=tolerance if mode in (TOLERANCE, BOTH) else None,
                                     angle=angle if mode in (ANGLE, BOTH) else None)
+
+
+def _size(patch_set):
+    """The diagonal of the box of the control points; those at infinity have no place."""
+    places = patch_set.points[patch_set.weights != 0.0]
+    return float(np.linalg.norm(np.ptp(places, axis=0))) if len(places) else 0.0
 
 
 def of_render(ob, points, scene, depsgraph):

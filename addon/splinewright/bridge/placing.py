@@ -32,7 +32,7 @@ class Space(NamedTuple):
     def to_lengths(self):
         """(4, 4): from this space to one in which lengths are those of the world; turned as that only where it must be."""
         linear = self.matrix[:3, :3]
-        size = np.cbrt(abs(np.linalg.det(linear)))
+        size = abs(float(np.linalg.det(linear))) ** (1 / 3)
         if np.abs(linear.T @ linear - size * size * np.eye(3)).max() > 16 * _SINGLE * size * size:
             return self.matrix
         return np.diag([*[1.0 if abs(size - 1.0) <= 16 * _SINGLE else size] * 3, 1.0])

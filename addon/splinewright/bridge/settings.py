@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 from .file_state import key, state
 
 #: The ways to choose faces.
-COUNT, TOLERANCE, ANGLE, BOTH = 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+AUTOMATIC, COUNT, TOLERANCE, ANGLE, BOTH = 'AUTOMATIC', 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
 #: Settings of which the geometry depends.
 _SHOWING = ('mode', 'tolerance', 'angle', 'resolution_u', 'resolution_v', 'sharp_angle', 'reach')
 
@@ -100,14 +100,16 @@ def _changed(self, context):
         self.changed(context)
 
 
-def mode_property(**more):
+def mode_property(default=COUNT, **more):
     return EnumProperty(
         name="Faces", description="How many faces show the surface",
         items=((COUNT, "By Count", "So many in every span"),
                (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
                (ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
-               (BOTH, "By Both", "As many as tolerance and angle take together")),
-        default=COUNT, **more)
+               (BOTH, "By Both", "As many as tolerance and angle take together"),
+               (AUTOMATIC, "Automatic", "As many as it takes to look smooth as a whole: by a tolerance that suits its size, and by "
+                "angle")),
+        default=default, **more)
 
 
 def tolerance_property(**more):

@@ -46,6 +46,6 @@ RECIPES = (
     Recipe("projected", "Project Curve",
            "The curve of the nearest points on a surface, within a tolerance; it follows the curve and the surface",
            (Parameter("tolerance", "Tolerance", "How far the curve may lie from the nearest points, in the scene", 0.001, 1e-9,
-                      unit='LENGTH'),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True,
+                      unit='LENGTH', of_scene=True),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True,
            takes_cancel=True),
 )

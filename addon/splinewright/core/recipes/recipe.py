@@ -21,6 +21,7 @@ class Parameter:
     unit: str = 'NONE'                  # as Blender's properties: 'LENGTH', 'ROTATION'
     choices: tuple = ()                 # of texts: (value, label, description)
     follows: str = ""                   # the parameter whose value it has where that is given and its own is not
+    of_scene: bool = False              # it is the scene's tolerance where none is given
 
 
 class Result(NamedTuple):

@@ -20,7 +20,7 @@ _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np
 AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
     (name, name.upper(), f"The {name} axis of the axis object, or of its own where there is none") for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
-                       unit='LENGTH')
+                       unit='LENGTH', of_scene=True)
 #: A profile whose points lie nearer to a plane than this part of its width lies in it.
 _FLAT = 1e-6
 _ORIGIN = (0.0, 0.0, 0.0)

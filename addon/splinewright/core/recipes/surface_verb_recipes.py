@@ -8,7 +8,7 @@ from .meeting_recipes import patches_of, share_of_size
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
-                       unit='LENGTH')
+                       unit='LENGTH', of_scene=True)
 _PIECE = Parameter("piece", "Piece", "Which patch of the surface, counted from 1", 1, 1)
 _CONTINUITIES = (("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"),
                  ("G3", "G3", "How these change, too"))

@@ -6,7 +6,7 @@ from bpy.props import IntProperty
 from ...bridge import remaking
 from ...core import starters
 from ...core.recipes.table import STARTING
-from .. import recipe_props
+from .. import recipe_props, scene_tolerance
 from . import new_shapes
 from .adding import AddShape, resolution_property
 
@@ -15,6 +15,10 @@ class _AddRecipe(AddShape):
     """`recipe` is what it adds."""
 
     recipe = None
+
+    def execute(self, context):
+        scene_tolerance.settle(self, context, self.recipe)
+        return super().execute(context)
 
     def new_data(self, step):
         recipe = self.recipe
@@ -50,7 +54,7 @@ def _label(recipe):
 
 
 def _class_for(recipe):
-    annotations = {parameter.name: recipe_props.property_of(parameter) for parameter in recipe.parameters}
+    annotations = {parameter.name: recipe_props.property_of(parameter, **scene_tolerance.options(parameter)) for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     if recipe.has_any_count:
         annotations['count'] = IntProperty(

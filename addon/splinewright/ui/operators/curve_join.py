@@ -6,10 +6,10 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge import joining, replacing, store
 from ...core import joints
 from ...core.failures import FAILURES
-from .. import hand
+from .. import hand, scene_tolerance
 from . import polls, reports
 from .pick_piece import draw_number
-from .pieces import tolerance_property, told
+from .pieces import scene_tolerance_property, told
 from .selected import OnSelected
 
 _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
@@ -72,7 +72,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     fits = staticmethod(replacing.is_curve_shape)
     has_settings = True
 
-    tolerance: tolerance_property("How far apart ends may lie, and how far the curve may move", 1e-6)
+    tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -81,6 +81,10 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
 
     def can_work(self, ob):
         return replacing.can_change(ob.data)
+
+    def execute(self, context):
+        scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
+        return super().execute(context)
 
     def work(self, context, ob):
         replacing.require_changeable(ob.data)
@@ -101,7 +105,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
                       "meet; curves are turned round where they must be")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    tolerance: tolerance_property("How far apart ends may lie, and how far the curves may move", 1e-4)
+    tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curves may move")
 
     @classmethod
     def poll(cls, context):
@@ -116,6 +120,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
     def execute(self, context):
         ob = context.object
         others = [other for other in context.selected_objects if other != ob]
+        scene_tolerance.settle_in_object(self, context, ob)
         try:
             outcome = joining.join_changed(ob, others, lambda definition, parted: joints.chained(definition, self.tolerance))
         except FAILURES as error:

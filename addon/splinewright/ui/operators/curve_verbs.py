@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty, IntProper
 from ...bridge import replacing
 from ...core import parameters, verbs
 from . import pieces
-from .pieces import parameter_property, times_property, tolerance_property
+from .pieces import parameter_property, scene_tolerance_property, times_property, tolerance_property
 
 
 class OnCurves(pieces.OnPieces):
@@ -209,8 +209,9 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
     bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
                       "a gap within the tolerance is closed")
     done, already = "Made {} periodic", "it is periodic already"
+    has_scene_tolerance = True
 
-    tolerance: tolerance_property("How far the ends may lie apart, and the curve move", 1e-6)
+    tolerance: scene_tolerance_property("How far the ends may lie apart, and the curve move")
 
     def verb(self):
         return verbs.make_periodic(self.length)
@@ -247,8 +248,9 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
                       "conics within a tolerance, and say how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
+    has_scene_tolerance = True
 
-    tolerance: tolerance_property("How far cubics may lie from a conic", 1e-5, least=1e-12)
+    tolerance: scene_tolerance_property("How far cubics may lie from a conic")
 
     def verb(self):
         return verbs.to_hermite(self.length)

@@ -10,7 +10,7 @@ from mathutils import Matrix
 from ...bridge import derived, follow, recipes, shape
 from ...core.failures import FAILURES, Refusal
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import hand, recipe_props
+from .. import hand, recipe_props, scene_tolerance
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .long_work import LongWork
@@ -18,7 +18,7 @@ from .pick_piece import draw_number
 
 #: Kinds of recipes that are called by what they do.
 _VERBS = ('revolve', 'extrude', 'projected', 'loft', 'sweep', 'two_rails', 'filling', 'surface_blend', 'matched', 'rounded_edge', 'offset_surface', 'thickened',
-          'extended_surface', 'of_mesh')
+          'extended_surface', 'of_mesh', 'mirror')
 #: Of parameters that mean something for one object only.
 _MORE = {'piece': {'options': {'SKIP_SAVE'}}}
 
@@ -56,6 +56,7 @@ class _FromObjects(LongWork, Repeatable):
         sources = _sources(context, self.recipe)
         if self._lacking(sources):
             raise Refusal(self._lacking(sources))
+        self._settle(context, sources)
         return {'result': self._task(context, self._arranged(context, sources))}
 
     def _task(self, context, sources):
@@ -80,11 +81,7 @@ class _FromObjects(LongWork, Repeatable):
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             hand.note(self, 'piece', sources[0])
         new_shapes.settle(self)
-        if recipe.frame and not self.properties.is_property_set('frame'):
-            self.frame = _beside(context)
-        self._follow()
-        if recipe.first_values and not (recipe.frame and self.frame):
-            self._suggest(sources, context)
+        self._settle(context, sources)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
             sources = self._arranged(context, sources)
@@ -102,6 +99,15 @@ class _FromObjects(LongWork, Repeatable):
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
+
+    def _settle(self, context, sources):
+        """Find out what is not given."""
+        if self.recipe.frame and not self.properties.is_property_set('frame'):
+            self.frame = _beside(context)
+        scene_tolerance.settle(self, context, self.recipe)
+        self._follow()
+        if self.recipe.first_values and not (self.recipe.frame and self.frame):
+            self._suggest(sources, context)
 
     def _frames(self, context):
         """The object of which the place and axes count, if there is to be one, in a tuple. Raises Refusal."""
@@ -179,7 +185,7 @@ def _label(recipe):
 
 
 def _class_for(recipe):
-    annotations = {parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))
+    annotations = {parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, scene_tolerance.options(parameter)))
                    for parameter in recipe.parameters}
     if recipe.frame:
         annotations['frame'] = StringProperty(name=recipe.frame, options={'SKIP_SAVE'}, description=(

@@ -7,7 +7,7 @@ from bpy.props import BoolProperty, FloatProperty
 from ...bridge import derived, shape
 from ...core import decimals, meets, transform, verbs
 from ...core.failures import FAILURES, Refusal
-from .. import progress
+from .. import progress, scene_tolerance
 from . import new_shapes, reports
 from .adding import Repeatable, can_add, resolution_property
 from .long_work import LongWork
@@ -23,7 +23,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
     themselves: BoolProperty(name="With Themselves", description="Also where a curve meets itself, or other pieces of its shape",
                              default=True)
     tolerance: FloatProperty(name="Tolerance", description="How far curves that surfaces have in common may lie from them, in the "
-                             "scene", default=1e-4, min=1e-9, precision=6, unit='LENGTH')
+                             "scene", default=1e-4, min=1e-9, precision=6, unit='LENGTH', options={'SKIP_SAVE'})
     resolution_u: resolution_property()
 
     @classmethod
@@ -36,10 +36,12 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
         return False
 
     def tasks(self, context):
+        scene_tolerance.settle_in_object(self, context, None)
         return {'found': self._task(context)}
 
     def execute(self, context):
         new_shapes.settle(self)
+        scene_tolerance.settle_in_object(self, context, None)
         sources = self._sources(context)
         try:
             with progress.shown(context, len(sources) * (len(sources) - 1) // 2) as told:

@@ -12,7 +12,7 @@ from ...bridge import replacing, settings
 from ...core import parameters, patch_verbs, verbs
 from .. import hand
 from . import pieces
-from .pieces import parameter_property, times_property, tolerance_property
+from .pieces import parameter_property, scene_tolerance_property, times_property, tolerance_property
 
 _AXES = {'U': 'u', 'V': 'v', 'BOTH': 'uv'}
 
@@ -311,8 +311,9 @@ class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
     bl_description = ("Make a closed patch periodic, as smooth at its seam as it is; "
                       "a gap within the tolerance is closed")
     done, already = "Made {} periodic", "it is periodic already"
+    has_scene_tolerance = True
 
-    tolerance: tolerance_property("How far the ends may lie apart, and the patch move", 1e-6)
+    tolerance: scene_tolerance_property("How far the ends may lie apart, and the patch move")
 
     def verb_along(self, axis, spent):
         return verbs.make_periodic(max(self.length - spent, 0.0))

@@ -12,7 +12,7 @@ from ...bridge import held, replacing, store
 from ...bridge.net import net_object
 from ...core import decimals, seams, verbs
 from ...core.failures import FAILURES
-from .. import editing, hand
+from .. import editing, hand, scene_tolerance
 from . import reports
 from .long_work import LongWork
 from .pick_piece import draw_number
@@ -29,9 +29,14 @@ def times_property(what):
     return IntProperty(name="Times", description=what, default=1, min=1, soft_max=8)
 
 
-def tolerance_property(what, default, least=0.0):
+def tolerance_property(what, default, least=0.0, **more):
     return FloatProperty(name="Tolerance", description=f"{what}, in units of the object", default=default, min=least,
-                         precision=6, step=0.01)
+                         precision=6, step=0.01, **more)
+
+
+def scene_tolerance_property(what):
+    """Of operators that take the scene's where none is given."""
+    return tolerance_property(what, 1e-4, options={'SKIP_SAVE'})
 
 
 class OnPieces(OnSelected):
@@ -43,6 +48,8 @@ class OnPieces(OnSelected):
     works_on_nets = True
     #: Names of settings whose choices are shown side by side.
     expanded = ()
+    #: Whether its tolerance is the scene's where none is given.
+    has_scene_tolerance = False
 
     piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1; 0 for all of them",
                        default=0, min=0, options={'SKIP_SAVE'})
@@ -104,6 +111,8 @@ class OnPieces(OnSelected):
         hand.forget_asked()
         for ob in self.chosen(context):
             hand.note(self, 'piece', ob)
+        if self.has_scene_tolerance:
+            scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
         self._holding = self._count_holding(context)
         return super().execute(context)
 
@@ -240,8 +249,10 @@ class FromActive:
 class WithinTolerance:
     """An error that is allowed, if the user wants a limit."""
 
+    has_scene_tolerance = True
+
     limited: BoolProperty(name="Limit Error", description="Refuse what moves the shape farther than the tolerance")
-    tolerance: tolerance_property("Largest distance that is allowed", 1e-4)
+    tolerance: scene_tolerance_property("Largest distance that is allowed")
 
     @property
     def allowed(self):
