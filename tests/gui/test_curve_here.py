@@ -155,9 +155,36 @@ def filleted(view):
     print("filleted", flush=True)
 
 
+def not_meant(view):
+    """What is worked on is said, and that another curve at the mouse is not."""
+    meant, told = part('ui.operators.meant'), []
+    found, why_none = meant.why_none, meant.why_none
+
+    def heard(*arguments):
+        told.append(found(*arguments))
+        return told[-1]
+    meant.why_none = heard
+    yield from lines(view, [(-4, 0, 0), (4, 0, 0)], [(0, -3, 0), (0, 3, 0)])
+    bpy.data.objects["line 1"].select_set(False)
+    for name in ('fillet_here', 'chamfer_here', 'trim_here', 'extend_here', 'split_here'):
+        told.clear()
+        yield from call(view, name)
+        yield from click(view, (0, 2, 0))
+        yield from until(lambda: told, f"{name} says why nothing is done")
+        assert told == ["line 1 is not selected: only line 0 is worked on"], (name, told)
+        picture(f"not-meant-{name}")
+        yield from click(view, (-5, -3, 0))
+        yield from until(lambda: len(told) == 2, "a click beside")
+        assert told[1] == "" and len(bpy.data.objects) == 2
+        view.press('ESC')
+        yield from redrawn()
+    meant.why_none = why_none
+    print("not meant", flush=True)
+
+
 def steps():
     view = View()
-    for part_of_it in (drawn, trimmed, longer, filleted):
+    for part_of_it in (drawn, trimmed, longer, filleted, not_meant):
         yield from part_of_it(view)
 
 
