@@ -291,6 +291,7 @@ def clicked_at(view, number, away=(0, 0), **modifiers):
 def seen_from_below(view):
     """Clicks take no point that the surface hides, but with X-ray or Points Behind; all else they do as ever."""
     yield from net_of(view, bpy.ops.splinewright.add_nurbs_patch)
+    eye, was = view.area.spaces.active.region_3d, view.area.spaces.active.region_3d.view_rotation.copy()
     with view.override():
         bpy.ops.view3d.view_axis(type='BOTTOM')
     shading, sights = view.area.spaces.active.shading, part('bridge.sights').of(bpy.context.scene)
@@ -320,6 +321,8 @@ def seen_from_below(view):
     assert not [number for number in chosen() if not is_border(number)], chosen()
     bpy.context.tool_settings.mesh_select_mode = (True, False, False)
     yield from dragged_from_hidden(view)
+    eye.view_perspective, eye.view_rotation = 'PERSP', was
+    print("seen from below", flush=True)
 
 
 def dragged_from_hidden(view):
@@ -372,8 +375,8 @@ def steps():
     yield from weights_by_the_menu(view)
     yield from the_pie(view)
     yield from hints(view)
-    yield from on_a_patch(view)
     yield from seen_from_below(view)
+    yield from on_a_patch(view)
     yield from switched_off(view)
     print("tools were used:", bpy.app.version_string, flush=True)
 

@@ -91,7 +91,8 @@ def factor(definition, number, curve, own):
     if len(joints):
         closed = bool(joints[-1] < 1.0)
         at, values = (np.append(joints, 1.0), np.append(own, own[0])) if closed else (joints, np.asarray(own))
-        along = [np.column_stack([column, np.zeros((len(at), 2))]) for column in (values, _slopes(at, values, closed) / (end - start))]
+        slopes = _slopes(at, values, closed) / (end - start)
+        along = [np.column_stack([column, np.zeros((len(at), 2))]) for column in (values, slopes)]
         return sc.HermiteCurve(*along, np.append(start + at[:-1] * (end - start), end))
     nurbs, ranks, _ = _basis_of(definition, piece, curve)
     return _mixing(nurbs, np.column_stack([np.asarray(own)[ranks], np.zeros((len(ranks), 2))]))

@@ -67,7 +67,8 @@ class SPLINEWRIGHT_OT_select_seen(bpy.types.Operator):
     def _nearest(self, context, event, region, view):
         sight = seeing.Sight(context, context.space_data, region, view)
         nearest = _NEAREST[tuple(context.tool_settings.mesh_select_mode)]
-        return nearest(sight, region, view, (event.mouse_x - region.x, event.mouse_y - region.y), editing.nets_in_edit_mode(context))
+        pixel = event.mouse_x - region.x, event.mouse_y - region.y
+        return nearest(sight, region, view, pixel, editing.nets_in_edit_mode(context))
 
 
 def _take(context, asked, found):
