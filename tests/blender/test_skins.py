@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from mathutils import Matrix
 
+from curves import value_of
 from shapes import activate, add, enter, leave, op, require_exact, select
 from support import part, splinecore as sc
 
@@ -366,6 +367,25 @@ def test_the_radius_of_a_chain_goes_from_joint_to_joint():
     assert np.allclose(found, [0.1, 0.2, 0.1, 0.1], atol=1e-4)
     assert off_radius(ob, chain, lambda v: 0.15) < 0.0501, "it nowhere overshoots"
     leave()
+
+
+@pytest.mark.parametrize('kind', ('nurbs', 'periodic', 'rational cubic', 'cubic', 'hermite', 'closed hermite', 'uniform', 'circle'))
+def test_curves_of_every_kind_give_their_radius(kind):
+    """All points alike change all of it, one point nothing beyond what points have."""
+    rail = add(value_of(kind), "rail")
+    ob = make('pipe', rail, radius=0.02, end_radius=0.02, tolerance=1e-5, own_radius=True)
+    axis = rail.data.splinewright.value.to_nurbs()
+    assert off_radius(ob, axis, lambda v: 0.02) < 1e-4
+    activate(rail)
+    held = enter()
+    bpy.ops.curve.select_all(action='SELECT')
+    assert op(bpy.ops.splinewright.radius_here, factor=2.0) == {'FINISHED'}
+    assert off_radius(ob, axis, lambda v: 0.04) < 1e-4
+    select(held, 1 if held.data.splines[0].type != 'BEZIER' else 4)
+    assert op(bpy.ops.splinewright.radius_here, factor=1.5) == {'FINISHED'}
+    leave()
+    assert not follow.problem(ob.data)
+    assert 0.003 < off_radius(ob, axis, lambda v: 0.04) < 0.0201
 
 
 def test_curves_of_blender_have_a_radius_too():
