@@ -185,11 +185,11 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
                           if view and words else None)
         kind = "arc, on from what is before" if self._kind == contours.ARC else "segment"
         keys = [f"Click: {kind}", "A: segment, arc",
-                f"S: ends, midpoints, perpendiculars ({'on' if self._marks.are_on else 'off'})"]
+                f"S: marks of curves {'off' if self._marks.are_on else 'on'}"]
         if self._drawn.points:
             typed, other = ("angle", "length") if self._types_angle else ("length", "angle")
             keys += ["Ctrl: steps of 15°", f"Numbers: {typed}", f"Tab: {other}", "Backspace: one back", "Enter: done",
-                     "C, or click the first point: close"]
+                     "C, first point: close"]
         context.workspace.status_text_set("   |   ".join([*keys, "Esc, Right Mouse: cancel"]))
         redraw()
 
