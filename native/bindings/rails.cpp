@@ -51,6 +51,12 @@ std::vector<RailSection> sections_of(const py::object& value, const py::object& 
   return sections;
 }
 
+/// A factor along a rail: a curve of any kind, of which x counts.
+std::optional<NurbsCurve> scale_of(const py::object& value) {
+  if (value.is_none()) return std::nullopt;
+  return any_curve(value, "scale");
+}
+
 void bind_two_rails(py::module_& build) {
   build.def("sweep_two_rails", [](const py::object& rail, const py::object& second, const py::object& sections, const py::object& at,
                                   const py::object& height, const py::object& up, const py::object& tolerance,
@@ -78,19 +84,20 @@ void bind_two_rails(py::module_& build) {
 
 void bind_pipe(py::module_& build) {
   build.def("pipe", [](const py::object& axis, const py::object& radius, const py::object& caps, const py::object& tolerance,
-                       const py::object& cancel) {
+                       const py::object& scale, const py::object& cancel) {
               const NurbsCurve& about = any_curve(axis, "axis");
               const std::vector<RailNumber> radii = radii_of(radius, "radius", about.domain());
               const auto ends = chosen<PipeCaps>(caps, "caps", {{"none", PipeCaps::none}, {"flat", PipeCaps::flat}, {"round", PipeCaps::round}});
               const std::optional<double> within = tolerance_of(tolerance);
-              return wrap(unlocked([&] { return splinecore::pipe(about, radii, ends, within); }, cancel));
+              const std::optional<NurbsCurve> factor = scale_of(scale);
+              return wrap(unlocked([&] { return splinecore::pipe(about, radii, ends, within, factor); }, cancel));
             }, py::arg("axis"), py::arg("radius"), py::kw_only(), py::arg("caps") = "none", py::arg("tolerance") = py::none(),
-            py::arg("cancel") = py::none(),
+            py::arg("scale") = py::none(), py::arg("cancel") = py::none(),
             "A pipe about a curve of any kind: (value, error), a list of NurbsPatch with normals outwards, the mantle and then the\n"
             "caps at its start and end, and how far rows of the mantle were found to be from where they should be (row S20).\n\n"
             "radius is a number, or (n, 2): parameters of the curve, which increase, and radii there, between which it goes without\n"
-            "overshoot. caps: 'none', 'flat' or 'round', exact; a closed curve has none. tolerance, a length: by default 2^-20 of\n"
-            "the size of the curve.\n"
+            "overshoot, times what x of the curve `scale` is at the parameters of the axis. caps: 'none', 'flat' or 'round', exact;\n"
+            "a closed curve has none. tolerance, a length: by default 2^-20 of the size of the curve.\n"
             "InvalidShape if a radius is not above 0, and as sweep(); ToleranceNotReached.");
 }
 
@@ -100,7 +107,8 @@ void bind_rails(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("sweep", [](const py::object& rail, const py::object& sections, const py::object& at, const py::object& frame,
                         const py::object& up, const py::object& start, const py::object& end_scale, const py::object& scales,
-                        const py::object& twist, const py::object& tolerance, const py::object& cancel) {
+                        const py::object& twist, const py::object& tolerance, const py::object& scale,
+                        const py::object& cancel) {
               const NurbsCurve& along = any_curve(rail, "rail");
               const std::vector<RailSection> given = sections_of(sections, at, along);
               SweepOptions options;
@@ -111,22 +119,26 @@ void bind_rails(py::module_& module) {
               if (!start.is_none()) options.start = vector_of(start, "start");
               options.end_scale = real(end_scale, "end_scale");
               options.scales = numbers_along(scales, "scales");
+              options.scale = scale_of(scale);
               options.twist = real(twist, "twist");
               options.tolerance = tolerance_of(tolerance);
               return wrap(unlocked([&] { return splinecore::sweep(along, given, options); }, cancel));
             }, py::arg("rail"), py::arg("sections"), py::kw_only(), py::arg("at") = py::none(), py::arg("frame") = "minimal",
             py::arg("up") = py::make_tuple(0.0, 0.0, 1.0), py::arg("start") = py::none(), py::arg("end_scale") = 1.0,
-            py::arg("scales") = py::none(), py::arg("twist") = 0.0, py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
+            py::arg("scales") = py::none(), py::arg("twist") = 0.0, py::arg("tolerance") = py::none(), py::arg("scale") = py::none(),
+            py::arg("cancel") = py::none(),
             "The surface of a section that moves along a rail, curves of any kinds; of several sections at the parameters `at`\n"
             "of the rail, by default even ones: (value, error), a NurbsPatch with u along the sections and v along the rail,\n"
             "and how far rows of control points were found to be from where they should be (The NURBS Book, 10.4; row S20).\n\n"
             "Sections are given in the frame of the rail: x along its normal, y along its binormal, z along its tangent. frame:\n"
             "'minimal' turns about the rail no more than it must, x being `start` (3,) at first; of 'upright' y stays as near to\n"
             "`up` (3,) as it can; 'parallel' does not turn. Sections grow up to end_scale, and turn by twist, in radians, evenly\n"
-            "by the length of the rail; scales (n, 2), parameters of the rail and factors, make them grow without overshoot. Exact if parallel or the rail is straight, otherwise within the tolerance, a length, by\n"
+            "by the length of the rail; scales (n, 2), parameters of the rail and factors, make them grow without overshoot,\n"
+            "and `scale`, a curve over the domain of the rail, by what its x is there. Exact if parallel or the rail is straight, otherwise within the tolerance, a length, by\n"
             "default 2^-20 of the size of the rail. Corners between straight stretches are mitred.\n"
             "InvalidShape if there is no section, `at` does not increase or leaves the rail, the rail runs along `up`, turns\n"
-            "back, or has a corner beside a curved stretch; ToleranceNotReached.");
+            "back, or has a corner beside a curved stretch, or a scale has another domain, jumps or has a point that is not above\n"
+            "0; ToleranceNotReached.");
   bind_two_rails(build);
   bind_pipe(build);
 }

@@ -6,7 +6,7 @@ import pytest
 
 from curves import said_near
 from shapes import op, require_exact
-from support import splinecore as sc
+from support import part, splinecore as sc
 from test_curve_through import value
 from test_menus import drawn
 
@@ -55,3 +55,68 @@ def test_one_undo_takes_it_back():
     op(bpy.ops.splinewright.draw_curve, stroke=text_of(DRAWN))
     bpy.ops.ed.undo()
     assert len(bpy.data.objects) == count
+
+
+# Contours -------------------------------------------------------------------------------------------------------------
+
+contours, guides, marks = part('core.contours'), part('core.guides'), part('core.marks')
+
+
+def polar(length, degrees):
+    return length * np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+
+
+def test_a_contour_closes_by_an_arc():
+    drawn = contours.Contour().after((0, 0, 0), 'segment').after((4, 0, 0), 'segment').after((4, 2, 0), 'arc')
+    drawn = drawn._replace(closed=True, closing='arc')
+    assert contours.from_text(contours.text_of(drawn)) == drawn
+    plain = drawn._replace(closing='segment')
+    assert contours.text_of(plain).endswith("; closed") and contours.from_text(contours.text_of(plain)) == plain
+    *_, last = contours.parts_of(drawn)
+    assert np.allclose(last.evaluate(np.array(last.domain)), [(4, 2, 0), (0, 0, 0)]) and last.degree == 2
+    way = contours.way_of(drawn)
+    assert np.allclose(way / np.linalg.norm(way), (-1, 0, 0)), "it goes on from the arc before"
+    assert op(bpy.ops.splinewright.draw_contour, contour=contours.text_of(drawn)) == {'FINISHED'}
+    made = value(bpy.context.object)
+    assert np.allclose(*made.evaluate(np.array(made.domain))) and made.length() > 4 + np.pi + 4.2
+
+
+@pytest.mark.parametrize('degrees, way, wanted', (
+    (31, None, 30), (-8, None, -15), (3, None, 0), (100, None, 105), (52, polar(1, 7), 52), (64, polar(3, 20), 65), (179, None, 180)))
+def test_a_way_is_held_to_steps_from_the_axes_and_from_the_way_before(degrees, way, wanted):
+    found = guides.next_point(polar(2.0, degrees), way, is_held=True)
+    assert np.allclose(found, polar(2.0 * np.cos(np.radians(degrees - wanted)), wanted))
+
+
+def test_typed_lengths_and_angles_are_those_of_the_next_part():
+    way = polar(1, 30)
+    assert np.allclose(guides.next_point(polar(2, 77), way, length=5.0), polar(5, 77))
+    assert np.allclose(guides.next_point(polar(2, 77), way, length=5.0, angle=np.radians(-45)), polar(5, -15))
+    assert np.allclose(guides.next_point(polar(2, 77), None, angle=np.radians(77)), polar(2, 77))
+    assert np.degrees(guides.turn(polar(2, -170), polar(1, 170))) == pytest.approx(20)
+
+
+def test_curves_are_marked_at_ends_middles_and_feet():
+    sides = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0, 0), (4, 0, 0), (4, 2, 0)])
+    found = marks.segments([sides, sc.conics.circle((10, 0, 0), 1.0)])
+    known = marks.of_segments(found)
+    places = {name: {tuple(np.round(mark.place, 6) + 0.0) for mark in known if mark.name == name} for name in ("End", "Midpoint")}
+    assert {(0, 0, 0), (4, 0, 0), (4, 2, 0)} <= places["End"]
+    assert {(2, 0, 0), (4, 1, 0)} <= places["Midpoint"]
+    feet = [tuple(np.round(mark.place, 6) + 0.0) for mark in marks.feet(found, (1, 0.5, 0))]
+    assert {(1, 0, 0), (4, 0.5, 0)} <= set(feet)
+    away = np.array(sorted(place for place in feet if place[0] > 5)) - (10, 0, 0)
+    wanted = np.array((9, -0.5, 0)) / np.hypot(9, 0.5)
+    assert np.allclose(away, [-wanted, wanted], atol=1e-5), "of a circle the nearest and the farthest"
+
+
+@pytest.mark.parametrize('seed', range(20))
+def test_ways_to_feet_are_at_right_angles(seed):
+    rng = np.random.default_rng([17, seed])
+    curve = sc.NurbsCurve(3, [0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1], rng.normal(size=(6, 3)) * 10 ** rng.uniform(-5, 5))
+    point = curve.points.mean(0) + rng.normal(size=3) * np.ptp(curve.points)
+    size = np.ptp(curve.points)
+    for mark in marks.feet([curve], point):
+        u = curve.nearest(mark.place).parameters
+        way, tangent = mark.place - point, curve.derivatives(float(np.ravel(u)[0]), 1)[1]
+        assert abs(way @ tangent) <= 1e-6 * np.linalg.norm(way) * np.linalg.norm(tangent) + 1e-9 * size * size

@@ -331,3 +331,27 @@ def test_a_damaged_recipe_is_said_and_read_only():
 def test_a_constant_may_hold_a_comma():
     ob = add_recipe('formula', x="a*t", y="0", z="0", constants="a = atan2(1, 2), b = 2", start=0.0, end=1.0)
     assert np.allclose(ob.data.splinewright.value.evaluate([1.0], side='left'), [(math.atan2(1, 2), 0, 0)])
+
+
+@pytest.mark.parametrize('kind', ('ellipse', 'hyperbola'))
+def test_half_axes_are_those_of_the_points_and_can_be_typed(kind):
+    ob = add_recipe(kind)
+    before = recipes.points(ob.data)
+    lengths = [f"{kind}_length_{i}" for i in range(2)]
+    assert [getattr(numbers(ob), name) for name in lengths] == pytest.approx(np.linalg.norm(before[1:] - before[0], axis=1))
+    setattr(numbers(ob), lengths[1], 0.3)
+    setattr(numbers(ob), lengths[0], 2.1)
+    assert np.abs(recipes.points(ob.data) - [(0, 0, 0), (2.1, 0, 0), (0, 0.3, 0)]).max() <= 4e-16
+    require_exact(ob)
+    setattr(numbers(ob), lengths[0], 0.0)
+    assert np.linalg.norm(recipes.points(ob.data)[1]) == pytest.approx(2.1), "nothing comes of it, and nothing changes"
+    other = add_recipe('circle')
+    assert getattr(numbers(other), lengths[0]) == 0.0
+
+
+def test_an_ellipse_that_is_drawn_anywhere_keeps_its_directions():
+    ob = add_recipe('ellipse')
+    made.set_points(ob.data, np.array([(1, 2, 3), (1, 4, 3), (1, 2, 2.5)]))
+    assert numbers(ob).ellipse_length_0 == 2.0 and numbers(ob).ellipse_length_1 == 0.5
+    numbers(ob).ellipse_length_0 = 3.0
+    assert np.array_equal(recipes.points(ob.data), [(1, 2, 3), (1, 5, 3), (1, 2, 2.5)])

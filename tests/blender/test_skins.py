@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from mathutils import Matrix
 
-from shapes import activate, add, op, require_exact
+from curves import value_of
+from shapes import activate, add, enter, leave, op, require_exact, select
 from support import part, splinecore as sc
 
 follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'ui.sections_overlay'))
@@ -297,6 +298,132 @@ def test_the_distance_of_a_pipe_from_its_axis_is_its_radius():
     ob = make('pipe', add(FRAME['front'], "rail"), radius=0.25, end_radius=0.25, tolerance=1e-6)
     points = np.array([vertex.co for vertex in ob.data.vertices])
     assert np.abs(FRAME['front'].nearest(points).distances - 0.25).max() < 1e-5
+
+
+# The radius of the rail -----------------------------------------------------------------------------------------------
+
+RAIL = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(0, 0, 0), (2, 0, 1), (4, 3, 0), (7, 2, -1), (9, 0, 0)])
+
+
+def spline_of(curve, numbers):
+    points = np.column_stack([numbers, np.zeros((len(numbers), 2))])
+    return sc.NurbsCurve(curve.degree, curve.knots, points, curve.weights if curve.is_rational else None, curve.periodic)
+
+
+def off_radius(ob, rail, radius_at):
+    mantle = ob.data.splinewright.value
+    v = np.linspace(*mantle.domain[1], 101)
+    points = mantle.evaluate_grid(np.linspace(*mantle.domain[0], 9), v)
+    return np.abs(np.linalg.norm(points - rail.evaluate(v)[None], axis=-1) - radius_at(v)).max()
+
+
+def thicker(number, factor):
+    """Alt+S on one point of the active shape."""
+    held = enter()
+    select(held, number)
+    assert op(bpy.ops.splinewright.radius_here, factor=factor) == {'FINISHED'}
+
+
+def test_a_pipe_is_as_thick_as_the_points_of_its_curve_say_and_follows_alt_s():
+    rail = add(RAIL, "rail")
+    ob = make('pipe', rail, radius=0.2, end_radius=0.2, tolerance=1e-6, own_radius=True)
+    assert off_radius(ob, RAIL, lambda v: 0.2) < 1e-5
+    activate(rail)
+    thicker(2, 3.0)
+    wanted = spline_of(RAIL, [1, 1, 3, 1, 1])
+    assert off_radius(ob, RAIL, lambda v: 0.2 * wanted.evaluate(v)[:, 0]) < 1e-5, "before the net is left"
+    leave()
+    numbers = ob.data.splinewright_parameters
+    numbers.pipe_end_radius = 0.4
+    ends = ob.data.splinewright.value
+    assert np.linalg.norm(ends.evaluate(0.0, 2.0) - RAIL.evaluate(2.0)) == pytest.approx(0.4, abs=1e-5)
+    numbers.pipe_end_radius, numbers.pipe_own_radius = 0.2, False
+    assert off_radius(ob, RAIL, lambda v: 0.2) < 1e-5
+
+
+def test_undo_takes_the_radius_back():
+    rail = add(RAIL, "rail")
+    make('pipe', rail, radius=0.2, end_radius=0.2, tolerance=1e-5, own_radius=True)
+    activate(rail)
+    bpy.ops.ed.undo_push(message="rail")
+    thicker(1, 2.0)
+    name = next(ob.name for ob in bpy.data.objects if ob.data.splinewright.value != RAIL and ob.type == 'MESH')
+    thick = bpy.data.objects[name].data.splinewright.value
+    bpy.ops.ed.undo()
+    assert bpy.data.objects[name].data.splinewright.value != thick
+    bpy.ops.ed.redo()
+    assert bpy.data.objects[name].data.splinewright.value == thick
+
+
+def test_the_radius_of_a_chain_goes_from_joint_to_joint():
+    chain = sc.HermiteCurve([(0, 0, 0), (3, 1, 0), (6, 0, 1), (9, 2, 0)], [(3, 2, 0)] * 4)
+    rail = add(chain, "rail")
+    ob = make('pipe', rail, radius=0.1, end_radius=0.1, tolerance=1e-6, own_radius=True)
+    activate(rail)
+    thicker(4, 2.0)                      # the second joint
+    mantle = ob.data.splinewright.value
+    v = np.linspace(*chain.domain, 4)
+    found = np.linalg.norm(mantle.evaluate(np.zeros(4), v) - chain.evaluate(v), axis=1)
+    assert np.allclose(found, [0.1, 0.2, 0.1, 0.1], atol=1e-4)
+    assert off_radius(ob, chain, lambda v: 0.15) < 0.0501, "it nowhere overshoots"
+    leave()
+
+
+@pytest.mark.parametrize('kind', ('nurbs', 'periodic', 'rational cubic', 'cubic', 'hermite', 'closed hermite', 'uniform', 'circle'))
+def test_curves_of_every_kind_give_their_radius(kind):
+    """All points alike change all of it, one point nothing beyond what points have."""
+    rail = add(value_of(kind), "rail")
+    ob = make('pipe', rail, radius=0.02, end_radius=0.02, tolerance=1e-5, own_radius=True)
+    axis = rail.data.splinewright.value.to_nurbs()
+    assert off_radius(ob, axis, lambda v: 0.02) < 1e-4
+    activate(rail)
+    held = enter()
+    bpy.ops.curve.select_all(action='SELECT')
+    assert op(bpy.ops.splinewright.radius_here, factor=2.0) == {'FINISHED'}
+    assert off_radius(ob, axis, lambda v: 0.04) < 1e-4
+    select(held, 1 if held.data.splines[0].type != 'BEZIER' else 4)
+    assert op(bpy.ops.splinewright.radius_here, factor=1.5) == {'FINISHED'}
+    leave()
+    assert not follow.problem(ob.data)
+    assert 0.003 < off_radius(ob, axis, lambda v: 0.04) < 0.0201
+
+
+def test_curves_of_blender_have_a_radius_too():
+    bpy.ops.curve.primitive_nurbs_path_add()
+    rail = bpy.context.object
+    for i, point in enumerate(rail.data.splines[0].points):
+        point.radius = 1 + i
+    ob = make('pipe', rail, radius=0.1, end_radius=0.1, own_radius=True)
+    points = np.array([vertex.co for vertex in ob.data.vertices])
+    assert np.hypot(points[:, 1], points[:, 2]).max() == pytest.approx(0.5, abs=1e-3)
+    rail.data.splines[0].points[4].radius = 10.0
+    rail.data.update_tag()
+    bpy.context.view_layer.update()
+    points = np.array([vertex.co for vertex in ob.data.vertices])
+    assert np.hypot(points[:, 1], points[:, 2]).max() == pytest.approx(1.0, abs=1e-3)
+    assert not part('bridge.derived').not_followed_by(ob.data, [rail])
+    ob.data.splinewright_parameters.pipe_own_radius = False
+    assert part('bridge.derived').not_followed_by(ob.data, [rail]) == ["the radius"]
+
+
+def test_sections_of_a_sweep_are_as_large_as_the_rail_says():
+    rail, section = add(RAIL, "rail"), add(sc.conics.circle((0, 0, 0), 0.2), "section")
+    ob = make('sweep', rail, section, own_radius=True, tolerance=1e-6)
+    activate(rail)
+    thicker(4, 2.0)
+    leave()
+    wanted = spline_of(RAIL, [1, 1, 1, 1, 2])
+    assert off_radius(ob, RAIL, lambda v: 0.2 * wanted.evaluate(v)[:, 0]) < 1e-5
+    activate(ob)
+    bpy.ops.splinewright.turn_input(index=0)
+    assert off_radius(ob, RAIL.reversed(), lambda v: 0.2 * wanted.reversed().evaluate(v)[:, 0]) < 1e-5
+
+
+def test_what_has_no_one_radius_is_refused_with_a_word():
+    rail = add([RAIL, RAIL.transformed(np.c_[np.eye(3), [0, 0, 5]])], "rails")
+    activate(rail)
+    with pytest.raises(RuntimeError, match="2 curves"):
+        op(bpy.ops.splinewright.add_pipe, own_radius=True)
 
 
 def test_curves_of_blender_are_sections_too_and_a_deleted_one_leaves_the_surface_as_it_was():

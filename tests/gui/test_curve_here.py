@@ -98,6 +98,50 @@ def drawn(view):
     print("drawn", flush=True)
 
 
+def words():
+    shown = state().weighing
+    return shown.text if shown else ""
+
+
+def guided(view):
+    """Ctrl holds angles, numbers are lengths and angles, the mouse takes marks of other curves, C closes by an arc."""
+    yield from lines(view, [(-4, 3, 0), (4, 3, 0)])
+    yield from call(view, 'draw_contour')
+    yield from click(view, (-3, -2, 0))
+    first = np.array(state().contour[0].points[0])
+    view.move(*view.pixel_of((1, -1.7, 0)))
+    view.window.event_simulate('LEFT_CTRL', 'PRESS', x=view.x, y=view.y, ctrl=True)
+    view.window.event_simulate('MOUSEMOVE', 'NOTHING', x=view.x + 1, y=view.y, ctrl=True)
+    yield from until(lambda: abs(state().contour[1].points[-1][1] - first[1]) < 1e-6, "held to the axis")
+    assert "Angle 0°" in words(), words()
+    view.window.event_simulate('LEFT_CTRL', 'RELEASE', x=view.x, y=view.y)
+    for key, text in (('THREE', "3"), ('TAB', ""), ('NINE', "9"), ('ZERO', "0")):
+        view.press(key, text=text)
+    yield from until(lambda: np.allclose(state().contour[1].points[-1], first + (0, 3, 0), atol=1e-5), "3 units upwards")
+    assert "Length 3 " in words() and "[90°]" in words(), words()
+    picture("typed")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: len(state().contour[0].points) == 2, "the typed point")
+    for point, name in (((0.05, 2.95, 0), "Midpoint"), ((first[0] + 0.05, 3.05, 0), "Perpendicular"), ((3.95, 3.05, 0), "End")):
+        view.move(*view.pixel_of(point))
+        yield from until(lambda: words().endswith(name), f"{name} is said")
+    picture("marks")
+    yield from until(lambda: np.allclose(state().contour[1].points[-1], (4, 3, 0), atol=1e-6), "the end itself")
+    view.press('S')
+    yield from until(lambda: not words().endswith("End"), "S turns that off")
+    view.press('S')
+    yield from until(lambda: words().endswith("End"), "and on")
+    view.press('LEFTMOUSE')
+    yield from until(lambda: len(state().contour[0].points) == 3, "three points")
+    view.press('A')
+    view.press('C')
+    yield from until(lambda: len(bpy.data.objects) == 2, "a contour")
+    assert curves()[0].length() > 3 + np.hypot(7, 2) + np.hypot(7, 5) + 1, "an arc closes it"
+    yield from redrawn()
+    picture("closed-by-arc")
+    print("guided", flush=True)
+
+
 def lines(view, *rows):
     """A shape of each, all selected, the first active."""
     yield from begun(view)
@@ -155,9 +199,36 @@ def filleted(view):
     print("filleted", flush=True)
 
 
+def not_meant(view):
+    """What is worked on is said, and that another curve at the mouse is not."""
+    meant, told = part('ui.operators.meant'), []
+    found, why_none = meant.why_none, meant.why_none
+
+    def heard(*arguments):
+        told.append(found(*arguments))
+        return told[-1]
+    meant.why_none = heard
+    yield from lines(view, [(-4, 0, 0), (4, 0, 0)], [(0, -3, 0), (0, 3, 0)])
+    bpy.data.objects["line 1"].select_set(False)
+    for name in ('fillet_here', 'chamfer_here', 'trim_here', 'extend_here', 'split_here'):
+        told.clear()
+        yield from call(view, name)
+        yield from click(view, (0, 2, 0))
+        yield from until(lambda: told, f"{name} says why nothing is done")
+        assert told == ["line 1 is not selected: only line 0 is worked on"], (name, told)
+        picture(f"not-meant-{name}")
+        yield from click(view, (-5, -3, 0))
+        yield from until(lambda: len(told) == 2, "a click beside")
+        assert told[1] == "" and len(bpy.data.objects) == 2
+        view.press('ESC')
+        yield from redrawn()
+    meant.why_none = why_none
+    print("not meant", flush=True)
+
+
 def steps():
     view = View()
-    for part_of_it in (drawn, trimmed, longer, filleted):
+    for part_of_it in (drawn, guided, trimmed, longer, filleted, not_meant):
         yield from part_of_it(view)
 
 

@@ -120,6 +120,9 @@ def another_is_picked_in_the_panel(view):
     first = teapot().data.splinewright.piece
     shown, = seen_numbers(view)
     assert shown.numbers.count(first) == 2 and shown.marked == (first,), "both parts are of the patch that was split"
+    texts = [shown.text(i) for i in range(count())]
+    assert [int(text.split()[0]) for text in texts] == list(range(1, 34)), "each is numbered as it is now"
+    assert texts[first].split()[1:] == ["(was", f"{first})"] and texts[first - 1] == str(first), texts
     view.move(panel.x + panel.width - 39, panel.y + 18)
     yield from redrawn()
     view.press('LEFTMOUSE')

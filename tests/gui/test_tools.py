@@ -275,6 +275,74 @@ def on_a_patch(view):
     print("on a patch", flush=True)
 
 
+def is_border(number):
+    return number // 6 in (0, 5) or number % 6 in (0, 5)
+
+
+def clicked_at(view, number, away=(0, 0), **modifiers):
+    x, y = view.pixel_of(point(number))
+    view.move(x + away[0], y + away[1])
+    yield from redrawn()
+    view.press('LEFTMOUSE', **modifiers)
+    yield from redrawn()
+    yield from redrawn()
+
+
+def seen_from_below(view):
+    """Clicks take no point that the surface hides, but with X-ray or Points Behind; all else they do as ever."""
+    yield from net_of(view, bpy.ops.splinewright.add_nurbs_patch)
+    eye, was = view.area.spaces.active.region_3d, view.area.spaces.active.region_3d.view_rotation.copy()
+    with view.override():
+        bpy.ops.view3d.view_axis(type='BOTTOM')
+    shading, sights = view.area.spaces.active.shading, part('bridge.sights').of(bpy.context.scene)
+    for tool in ("builtin.select_box", "builtin.select", "builtin.move"):
+        yield from choose(view, tool)
+        before = value()
+        select_points()
+        yield from clicked_at(view, 8)
+        assert not [number for number in chosen() if not is_border(number)], (tool, chosen())
+        yield from clicked_at(view, 8, away=(0, 4), shift=True)
+        assert not [number for number in chosen() if not is_border(number)], (tool, chosen())
+        for owner, name in ((shading, 'show_xray'), (sights, 'points_behind')):
+            setattr(owner, name, True)
+            yield from redrawn()
+            yield from clicked_at(view, 8)
+            yield from until(lambda: chosen() == [8], f"{name} lets {tool} take what is behind")
+            setattr(owner, name, False)
+            yield from redrawn()
+        yield from clicked_at(view, 2, away=(3, 2))
+        yield from until(lambda: chosen() == [2], f"{tool} takes what is seen")
+        yield from clicked_at(view, 3, away=(3, 2), shift=True)
+        yield from until(lambda: chosen() == [2, 3], f"{tool} takes one more with Shift")
+        assert value() == before, (tool, "a click changes nothing")
+    bpy.context.tool_settings.mesh_select_mode = (False, True, False)
+    yield from choose(view, "builtin.select_box")
+    yield from clicked_at(view, 8, away=(0, 4))
+    assert not [number for number in chosen() if not is_border(number)], chosen()
+    bpy.context.tool_settings.mesh_select_mode = (True, False, False)
+    yield from dragged_from_hidden(view)
+    eye.view_perspective, eye.view_rotation = 'PERSP', was
+    print("seen from below", flush=True)
+
+
+def dragged_from_hidden(view):
+    """A press near a hidden point and a seen one begins what it begins elsewhere, with the seen one."""
+    for tool, operator in (("builtin.select_box", 'VIEW3D_OT_select_box'), ("builtin.select", 'TRANSFORM_OT_translate')):
+        yield from choose(view, tool)
+        (x, y), (right, up) = view.pixel_of(point(8)), view.pixel_of(point(2))
+        x, y = round(0.52 * x + 0.48 * right), round(0.52 * y + 0.48 * up)
+        for step in view.drag([(x, y), (x + 6, y + 8), (x + 30, y + 30), (x + 60, y + 60)]):
+            yield from redrawn()
+        release(view)
+        yield from redrawn()
+        if bpy.context.window_manager.operators[-1].bl_idname != operator:
+            view.press('LEFTMOUSE')     # where the drag does not end with the button
+        yield from until(lambda: bpy.context.window_manager.operators[-1].bl_idname == operator, operator)
+    with view.override():
+        bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
+    yield from out_of_net()
+
+
 def switched_off(view):
     """The add-on goes while a tool of its is in use, and comes again."""
     cube = bpy.context.object
@@ -307,6 +375,7 @@ def steps():
     yield from weights_by_the_menu(view)
     yield from the_pie(view)
     yield from hints(view)
+    yield from seen_from_below(view)
     yield from on_a_patch(view)
     yield from switched_off(view)
     print("tools were used:", bpy.app.version_string, flush=True)

@@ -31,6 +31,97 @@ def test_a_pipe_is_its_radius_from_its_axis(axis, tolerance):
     assert axis.nearest(points.reshape(-1, 3)).distances.max() <= (0.01 + tolerance) * size
 
 
+def scale_like(curve, numbers):
+    """Of numbers in place of the control points of a curve."""
+    points = np.column_stack([numbers, np.zeros((len(numbers), 2))])
+    weights = curve.weights if curve.is_rational else None
+    return sc.NurbsCurve(curve.degree, curve.knots, points, weights, curve.periodic)
+
+
+def radii_off(mantle, axis, radius_at, size):
+    """How far, of the size, points of a mantle are from where a radius (of parameters) has them."""
+    v = np.linspace(*mantle.domain[1], 173)
+    points = mantle.evaluate_grid(np.linspace(*mantle.domain[0], 9), v)
+    away = np.linalg.norm(points - axis.evaluate(v)[None], axis=-1)
+    return np.abs(away - radius_at(v)[None]).max() / size
+
+
+AXES = {"bezier": BENT.to_nurbs(), "cubic": cubic(), "closed": closed_cubic(), "hermite": hermite_chain().to_nurbs(),
+        "circle": circle(), "straight": sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0, 0), (1, 0, 0), (2, 0, 0), (4, 0, 0)])}
+
+
+@pytest.mark.parametrize("axis", AXES.values(), ids=AXES.keys())
+def test_a_scale_is_a_spline_of_the_axis(axis):
+    size = np.ptp(axis.evaluate(np.linspace(*axis.domain, 50)), axis=0).max()
+    rng = np.random.default_rng(5)
+    numbers = rng.uniform(0.5, 2.0, len(axis.points))
+    if np.allclose(*axis.evaluate(axis.domain)) and not axis.periodic:
+        numbers[-1] = numbers[0]
+    scale = scale_like(axis, numbers)
+    (mantle,), error = build.pipe(axis, 0.01 * size, scale=scale, tolerance=1e-6 * size)
+    assert error <= 1e-6 * size
+    assert radii_off(mantle, axis, lambda v: 0.01 * size * scale.evaluate(v)[:, 0], size) <= 1.01e-6
+
+
+def test_a_scale_of_any_kind_with_corners_of_its_own():
+    axis = BENT.to_nurbs()
+    kinked = sc.NurbsCurve(1, [0, 0, 0.3, 0.7, 1, 1], [(1, 0, 0), (3, 0, 0), (0.5, 0, 0), (2, 0, 0)])
+    (mantle, *caps), _ = build.pipe(axis, 0.1, scale=kinked, caps="round", tolerance=1e-7)
+    assert radii_off(mantle, axis, lambda v: 0.1 * kinked.evaluate(v)[:, 0], 1.0) <= 1.01e-7
+    assert len(caps) == 2 and np.array_equal(caps[1].boundary("v_start").points, mantle.boundary("v_end").points)
+    table = [(0.0, 0.1), (1.0, 0.2)]
+    (plain,), _ = build.pipe(axis, table, tolerance=1e-7)
+    (scaled,), _ = build.pipe(axis, table, scale=sc.BezierCurve([(1, 0, 0), (2, 5, 0), (3, 0, 0)]), tolerance=1e-7)
+    v = np.linspace(0, 1, 41)
+    radii = [np.linalg.norm(patch.evaluate(np.zeros(41), v) - axis.evaluate(v), axis=1) for patch in (plain, scaled)]
+    assert np.abs(radii[1] - radii[0] * (1 + 2 * v)).max() <= 1e-6
+
+
+def test_sections_are_scaled_too():
+    section = sc.BezierCurve([(0.2, 0, 0), (0.1, 0.3, 0), (0, 0.2, 0)])
+    scale = sc.BezierCurve([(1, 0, 0), (0.25, 0, 0), (2, 0, 0)])
+    plain, _ = build.sweep(BENT, section, tolerance=1e-8)
+    scaled, _ = build.sweep(BENT, section, scale=scale, tolerance=1e-8)
+    v = np.linspace(0, 1, 31)
+    for u in (0.0, 0.4, 1.0):
+        at, middle = np.full(31, u), BENT.evaluate(v)
+        wanted = middle + scale.evaluate(v)[:, :1] * (plain.evaluate(at, v) - middle)
+        assert np.abs(scaled.evaluate(at, v) - wanted).max() <= 1e-7
+
+
+@pytest.mark.parametrize("axis, scale, words", [
+    (BENT, sc.BezierCurve([(1, 0, 0), (0, 0, 0)]), "a scale of 0: above 0"),
+    (BENT, sc.NurbsCurve(1, [0, 0, 2, 2], [(1, 0, 0), (2, 0, 0)]), "runs from 0 to 2, the rail from 0 to 1"),
+    (BENT, sc.NurbsCurve(1, [0, 0, 0.5, 0.5, 1, 1], [(1, 0, 0), (2, 0, 0), (3, 0, 0), (1, 0, 0)]), "jumps at 0.5"),
+    (closed_cubic(), sc.NurbsCurve(1, [closed_cubic().domain[0]] * 2 + [closed_cubic().domain[1]] * 2, [(1, 0, 0), (2, 0, 0)]), "closed"),
+    (BENT, 2.0, "a curve is expected"),
+])
+def test_what_scales_nothing(axis, scale, words):
+    with pytest.raises(sc.InvalidShape, match=words):
+        build.pipe(axis, 0.1, scale=scale)
+
+
+def test_wild_scales_are_right_or_refused(inputs):
+    """On open and closed axes, turned, scaled, far away: the radius is the spline's."""
+    made = 0
+    for seed in range(inputs(120)):
+        rng = np.random.default_rng([91, seed])
+        degree, count = int(rng.integers(1, 6)), int(rng.integers(4, 10))
+        knots = np.r_[[0] * (degree + 1), np.sort(rng.choice([0.1, 0.25, 0.25, 0.5, 0.75, 0.8], count)), [1] * (degree + 1)]
+        knots = knots[[i for i in range(len(knots)) if i < degree + 1 or (knots[i] == 1) or np.sum(knots[:i] == knots[i]) < degree]]
+        numbers = 10 ** rng.uniform(-1, 0.5, len(knots) - degree - 1)
+        scale = sc.NurbsCurve(degree, knots, np.column_stack([numbers, rng.normal(size=(len(numbers), 2))]))
+        axis = sc.NurbsCurve(3, [0] * 4 + [0.4] + [1] * 4, rng.normal(size=(5, 3)) * 10 ** rng.uniform(-6, 6))
+        size = np.ptp(axis.points, axis=0).max()
+        try:
+            (mantle,), error = build.pipe(axis, 0.01 * size, scale=scale, tolerance=1e-4 * size)
+        except (sc.InvalidShape, sc.ToleranceNotReached):
+            continue
+        made += 1
+        assert radii_off(mantle, axis, lambda v: 0.01 * size * scale.evaluate(v)[:, 0], size) <= 1.1e-4, seed
+    assert made > 0.8 * inputs(120)
+
+
 @pytest.mark.parametrize("caps", ["flat", "round"])
 def test_caps_close_it(caps):
     parts, _ = build.pipe(BENT, 0.2, caps=caps, tolerance=1e-6)

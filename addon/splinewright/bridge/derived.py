@@ -5,7 +5,7 @@ import numpy as np
 from ..core import definition as definitions
 from ..core import transform
 from ..core.failures import AboutInputs, Refusal
-from . import placing, read_polygons, shape, store
+from . import placing, radii, read_polygons, recipes, shape, store
 from .native import read_native
 
 
@@ -26,6 +26,9 @@ def work(recipe, values, sources, space, frames=(), turned=()):
         more['turned'] = [*turned, *[False] * (len(sources) - len(turned))]
     if recipe.takes_spaces:
         more['spaces'] = [_into(recipe, space, source) for source in sources]
+    if recipe.radius_asked:
+        is_asked = values[recipe.radius_asked]
+        more['factor'] = radii.along_curve(sources[0], definition_of(sources[0], space.depsgraph)) if is_asked else None
     make = _naming(recipe.work(inputs, {**values, **more}), [source.name for source in sources])
     if not recipe.is_measured:
         return make
@@ -87,6 +90,15 @@ def not_followed(source):
     if shape.has_shape(source):
         return []
     return read_polygons.not_followed(source) if read_polygons.is_mesh(source) else read_native.not_followed(source)
+
+
+def not_followed_by(data, sources):
+    """not_followed() of all objects that a shape is made from, but for the radius where it is asked for."""
+    stored = recipes.read(data)
+    asked = stored.recipe.radius_asked
+    is_followed = bool(asked and stored.values[asked])
+    return [text for i, source in enumerate(sources) for text in not_followed(source)
+            if not (is_followed and i == 0 and text == read_native.RADIUS)]
 
 
 def definition_of(source, depsgraph):

@@ -49,26 +49,62 @@ def mixture(definition, number, curve, at, way='LINEAR'):
         fractions = np.interp(at, ends, np.linspace(0.0, 1.0, len(ends)))
         return Mixture(lambda columns: native_along.along_bezier(columns, closed, fractions, [way] * columns.shape[1]),
                        joints, way != 'BSPLINE')
-    nurbs, rows = curve.to_nurbs(), piece.indices
+    nurbs, ranks, order = _basis_of(definition, piece, curve)
+    return Mixture(lambda columns: _by_basis(nurbs, columns[ranks], at), _middles(nurbs)[order], False)
+
+
+def _basis_of(definition, piece, curve):
+    """(the NURBS of a piece, for each of its control points the number of that which the net shows, for each of those the
+    number of the control point)."""
+    rows = piece.indices
     numbers = np.arange(len(rows))
     if len(rows) > 2 and rows[0] == rows[-1]:
         numbers[-1], rows = 0, rows[:-1]
     order = np.argsort(definition.pool[rows, 3] == 0, kind='stable')
-    ranks = np.argsort(order)[numbers]
-    return Mixture(lambda columns: _by_basis(nurbs, columns[ranks], at), _middles(nurbs)[order], False)
+    return curve.to_nurbs(), np.argsort(order)[numbers], order
+
+
+def _mixing(curve, points):
+    """A curve of points (n, 3) by the basis of another, with its weights where they are of one sign."""
+    weights = np.abs(curve.weights) if (curve.weights > 0).all() or (curve.weights < 0).all() else None
+    return sc.NurbsCurve(curve.degree, curve.knots, points, weights, curve.periodic)
 
 
 def _by_basis(curve, columns, at):
     """(m, k) of columns (n, k) by the basis of a curve, with its weights where they are of one sign."""
     start, end = curve.domain
     parameters = np.clip(start + at * (end - start), start, end)
-    weights = np.abs(curve.weights) if (curve.weights > 0).all() or (curve.weights < 0).all() else None
     found = []
     for i in range(0, columns.shape[1], 3):
         points = np.zeros((len(columns), 3))
         points[:, :columns[:, i:i + 3].shape[1]] = columns[:, i:i + 3]
-        found.append(sc.NurbsCurve(curve.degree, curve.knots, points, weights, curve.periodic).evaluate(parameters))
+        found.append(_mixing(curve, points).evaluate(parameters))
     return np.concatenate(found, 1)[:, :columns.shape[1]]
+
+
+def factor(definition, number, curve, own):
+    """The curve over the domain of a piece of which x is what lies along it, where its points have own (n,), as of Held.own:
+    by the basis of the curve; between joints of chains without overshoot."""
+    piece = definition.pieces[number]
+    joints = handles.joints(definition, piece)
+    start, end = curve.domain
+    if len(joints):
+        closed = bool(joints[-1] < 1.0)
+        at, values = (np.append(joints, 1.0), np.append(own, own[0])) if closed else (joints, np.asarray(own))
+        slopes = _slopes(at, values, closed) / (end - start)
+        along = [np.column_stack([column, np.zeros((len(at), 2))]) for column in (values, slopes)]
+        return sc.HermiteCurve(*along, np.append(start + at[:-1] * (end - start), end))
+    nurbs, ranks, _ = _basis_of(definition, piece, curve)
+    return _mixing(nurbs, np.column_stack([np.asarray(own)[ranks], np.zeros((len(ranks), 2))]))
+
+
+def _slopes(at, values, closed):
+    """(n,): harmonic means of the slopes before and behind where these are of one sign, otherwise 0."""
+    secants = np.diff(values) / np.diff(at)
+    before = np.concatenate([secants[-1:] if closed else secants[:1], secants])
+    behind = np.concatenate([secants, secants[:1] if closed else secants[-1:]])
+    with np.errstate(divide='ignore', invalid='ignore'):
+        return np.where(before * behind > 0, 2.0 / (1.0 / before + 1.0 / behind), 0.0)
 
 
 def _middles(curve):

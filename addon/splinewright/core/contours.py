@@ -16,11 +16,13 @@ _STRAIGHT = 1e-6
 
 
 class Contour(NamedTuple):
-    """Points that follow each other, what leads to each but the first, and whether the last leads to the first again."""
+    """Points that follow each other, what leads to each but the first, and whether the last leads to the first again, and by
+    what."""
 
     points: tuple = ()                  # of (x, y, z)
     kinds: tuple = ()                   # SEGMENT or ARC
     closed: bool = False
+    closing: str = SEGMENT
 
     def after(self, point, kind):
         if not self.points:
@@ -37,7 +39,7 @@ def parts_of(contour):
     kinds = list(contour.kinds)
     if contour.closed and len(points) > 2:
         points.append(points[0])
-        kinds.append(SEGMENT)
+        kinds.append(contour.closing)
     parts, way = [], None
     for start, end, kind in zip(points, points[1:], kinds):
         if np.array_equal(start, end):
@@ -71,7 +73,20 @@ def curve_of(contour, radius=0.0):
 def text_of(contour):
     """For a property of an operator."""
     rows = [" ".join(map(repr, map(float, point))) for point in contour.points]
-    return "; ".join([rows[0], *(f"{kind} {row}" for kind, row in zip(contour.kinds, rows[1:])), *(["closed"] if contour.closed else [])])
+    return "; ".join([rows[0], *(f"{kind} {row}" for kind, row in zip(contour.kinds, rows[1:])), *_closed(contour)])
+
+
+def _closed(contour):
+    if contour.closed:
+        yield "closed" if contour.closing == SEGMENT else f"closed {contour.closing}"
+
+
+def way_of(contour):
+    """(3,): where a contour goes on from its last point; None where it goes nowhere yet."""
+    if len(contour.points) < 2:
+        return None
+    last = parts_of(contour._replace(closed=False))[-1]
+    return last.derivatives(last.domain[1], 1, side='left')[1]
 
 
 def from_text(text):
@@ -80,8 +95,8 @@ def from_text(text):
     try:
         for part in filter(str.strip, text.split(";")):
             words = part.split()
-            if words == ["closed"]:
-                made = made._replace(closed=True)
+            if words[0] == "closed" and words[1:] in ([], [ARC]):
+                made = made._replace(closed=True, closing=words[-1] if words[1:] else SEGMENT)
                 continue
             kind = words.pop(0) if words[0] in (SEGMENT, ARC) else SEGMENT
             x, y, z = map(float, words)

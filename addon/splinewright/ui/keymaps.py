@@ -31,7 +31,12 @@ _ON_STRIP = (
     ("splinewright.remove_on_strip", 'DEL', 'PRESS'),
 )
 
-_made, _gizmo = [], []
+#: Keymaps where a click in Edit Mode is looked for, in their order, and those of Blender's own whose Select it is. The former
+#: hold it for any button: which one selects is asked of the latter.
+_CLICKED = (("3D View Tool: Tweak", "3D View Tool: Tweak"), ("3D View Tool: Tweak (fallback)", "3D View Tool: Tweak (fallback)"),
+            ("Mesh", "3D View"))
+
+_made, _quiet = [], []
 
 
 def of_user():
@@ -64,13 +69,25 @@ def register():
         _made.append((keymap, keymap.keymap_items.new(operator, key, 'PRESS', **({held: True} if held else {}))))
     keymap = of_strip(config)
     of_strip(bpy.context.window_manager.keyconfigs.default)
-    _gizmo.append((keymap, keymap.keymap_items.new("gizmogroup.gizmo_tweak", 'LEFTMOUSE', 'PRESS', any=True)))
+    _quiet.append((keymap, keymap.keymap_items.new("gizmogroup.gizmo_tweak", 'LEFTMOUSE', 'PRESS', any=True)))
     for operator, key, value in _ON_STRIP:
         _made.append((keymap, keymap.keymap_items.new(operator, key, value)))
+    _quiet.extend(_clicks(config))
+
+
+def _clicks(config):
+    for name, own in _CLICKED:
+        where = {} if name == "Mesh" else {'space_type': 'VIEW_3D', 'region_type': 'WINDOW', 'tool': True}
+        keymap = config.keymaps.new(name=name, **where)
+        for button in ('LEFTMOUSE', 'RIGHTMOUSE'):
+            for value in ('PRESS', 'CLICK'):
+                item = keymap.keymap_items.new("splinewright.select_seen", button, value, any=True)
+                item.properties.keymap = own
+                yield keymap, item
 
 
 def unregister():
-    for keymap, item in (*_made, *_gizmo):
+    for keymap, item in (*_made, *_quiet):
         keymap.keymap_items.remove(item)
     _made.clear()
-    _gizmo.clear()
+    _quiet.clear()

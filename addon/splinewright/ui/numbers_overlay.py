@@ -29,6 +29,11 @@ class Numbered(NamedTuple):
     numbers: tuple                      # of its pieces; 0 for none
     marked: tuple                       # those that are in hand
 
+    def text(self, i):
+        """What stands at the piece of an index: its number, and that by which the last operator means it, if that is another
+        one, as it was before."""
+        return str(i + 1) if self.numbers[i] == i + 1 else f"{i + 1} (was {self.numbers[i]})"
+
 
 def shown(context):
     """The Numbered objects."""
@@ -111,9 +116,10 @@ def _draw_numbers(context, numbered, points):
         color = COLORS[2 if is_hovered else number in numbered.marked]
         blf.size(0, (1.5 if is_hovered else 1.0) * _SIZE * scale)
         blf.color(0, *color[:3], _HIDDEN if hidden[i] and not is_hovered else 1.0)
-        width, height = blf.dimensions(0, str(number))
+        text = numbered.text(i)
+        width, height = blf.dimensions(0, text)
         blf.position(0, x - width / 2, y - height / 2, 0)
-        blf.draw(0, str(number))
+        blf.draw(0, text)
     blf.disable(0, blf.SHADOW)
 
 

@@ -129,7 +129,7 @@ def _draw_following(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     else:
-        for text in (text for source in sources for text in derived.not_followed(source)):
+        for text in derived.not_followed_by(data, sources):
             texts.draw_note(layout, f"Not followed: {text}")
     _draw_moving(layout, ob)
     column = layout.column(align=True)

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 from bpy_extras import view3d_utils
+from mathutils import Vector
 
 from ..bridge import mesh_layers, mesh_looks, store, surveys
 from ..bridge.net import live
@@ -167,25 +168,23 @@ def pointed_at(x, y, obs, depsgraph):
     return parameters_at(region, view, (x - region.x, y - region.y), obs, depsgraph)
 
 
-def point_at(region, view, pixel, nets, are_meant=lambda net: net.rows >= 0, within=_NEAR):
+def point_at(region, view, pixel, nets, are_meant=lambda net: net.rows >= 0, within=_NEAR, sees=lambda place: True):
     """(net, vertex) of what is nearest to a pixel of a region among the points and handles of nets, or None where nothing
-    is near. are_meant: gives (n,) bool for a core.net.Net; within: pixels of an interface that is not scaled."""
-    found = [hit for ob in nets if ob.visible_get() for hit in [_nearest_point(region, view, pixel, ob, are_meant)] if hit]
-    nearest = min(found, key=lambda hit: hit[0], default=(np.inf,))
-    return nearest[1:] if nearest[0] <= near(within) else None
+    is near. are_meant: gives (n,) bool for a core.net.Net; within: pixels of an interface that is not scaled; sees: whether a
+    place of the world counts."""
+    found = [hit for ob in nets if ob.visible_get() for hit in _points_near(region, view, pixel, ob, are_meant, near(within))]
+    return next(((ob, vertex) for _, ob, vertex, place in sorted(found, key=lambda hit: hit[0]) if sees(place)), None)
 
 
-def _nearest_point(region, view, pixel, ob, are_meant):
-    """(distance in pixels, net, vertex), or None."""
+def _points_near(region, view, pixel, ob, are_meant, within):
+    """(distance in pixels, net, vertex, place in the world) of each that is not farther away."""
     session = live.known_session(ob.data)
     there = np.flatnonzero(are_meant(session.net) & (session.slots >= 0)) if session else []
     if not len(there):
-        return None
+        return
     distances = np.linalg.norm(on_screen(region, view, ob.matrix_world, session.points[there]) - pixel, axis=1)
-    if np.isnan(distances).all():
-        return None
-    i = int(np.nanargmin(distances))
-    return distances[i], ob, int(there[i])
+    for i in np.flatnonzero(distances <= within):       # what is nan is not
+        yield distances[i], ob, int(there[i]), ob.matrix_world @ Vector(session.points[there[i]])
 
 
 def _on_curves(region, view, pixel, ob):

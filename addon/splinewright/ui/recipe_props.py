@@ -4,10 +4,12 @@ Numbers are kept in float64 beside the definition; properties only show and chan
 """
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, keyed, parameters, problems, recipes, settings
-from ..core.failures import FAILURES, sentence
+from ..bridge import follow, keyed, parameters, problems, recipes, remaking, settings
+from ..core import decimals
+from ..core.failures import FAILURES, Refusal, sentence
 from ..core.recipes.table import RECIPES
 from . import inputs_list, texts
 
@@ -70,12 +72,52 @@ def _change_frame(self, context):
         recipes.show(data)
 
 
+def _length_name(recipe, i):
+    return f"{recipe.kind}_length_{i}"
+
+
+def _length_property(recipe, label, description, first, last):
+    """A length that points of a recipe have: nothing but them is kept, and it has no keys."""
+    def get(self):
+        points = _points_of(self.id_data)
+        return float(np.linalg.norm(points[last] - points[first])) if points is not None else 0.0
+
+    def put(self, length):
+        points = _points_of(self.id_data)
+        if points is not None:
+            _change_points(self.id_data, points, first, last, decimals.typed(length))
+
+    def _points_of(data):
+        try:
+            return recipes.points(data) if recipes.kind(data) == recipe.kind else None
+        except FAILURES:
+            return None                 # the panel says it
+    return FloatProperty(name=label, description=description, min=0.0, unit='LENGTH', precision=5, step=1, get=get, set=put,
+                         options=set())
+
+
+def _change_points(data, points, first, last, length):
+    """Let one point be so far from another."""
+    away = points[last] - points[first]
+    try:
+        if not np.any(away):
+            raise Refusal("the point lies where the other one is: move it in the net first")
+        points = points.copy()
+        points[last] = points[first] + away * (length / np.linalg.norm(away))
+        remaking.set_points(data, points)
+        problems.tell(data, problems.SETTING, "")
+    except FAILURES as error:
+        problems.tell(data, problems.SETTING, sentence(error))
+
+
 class SplinewrightRecipe(bpy.types.PropertyGroup):
     """Parameters of the recipe that makes a shape."""
 
     __annotations__ = {
         **{parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
            for recipe in RECIPES.values() for parameter in recipe.parameters},
+        **{_length_name(recipe, i): _length_property(recipe, *length)
+           for recipe in RECIPES.values() for i, length in enumerate(recipe.lengths)},
         'frame': PointerProperty(type=bpy.types.Object, name="About", update=_change_frame,
                                  description="Its place and axes count in place of the shape's own; the shape follows it")}
 
@@ -87,7 +129,7 @@ def draw(layout, data, is_net_out=False):
     """
     stored = recipes.read(data)
     recipe = stored.recipe
-    if not recipe.parameters:
+    if not (recipe.parameters or recipe.lengths):
         return
     texts.draw_note(layout, recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
@@ -104,6 +146,10 @@ def draw(layout, data, is_net_out=False):
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
+    for i, _ in enumerate(recipe.lengths):
+        row = column.row(align=True)
+        row.enabled = not is_net_out
+        row.prop(parameters.of(data), _length_name(recipe, i))
     if recipe.has_more:
         inputs_list.draw(layout, stored)
     if stored.error:

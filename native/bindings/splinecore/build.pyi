@@ -291,6 +291,7 @@ def sweep(
     scales: ArrayLike | None = None,
     twist: float = 0.0,
     tolerance: float | None = None,
+    scale: _Curve | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
 def sweep_two_rails(
@@ -310,6 +311,7 @@ def pipe(
     *,
     caps: Literal["none", "flat", "round"] = "none",
     tolerance: float | None = None,
+    scale: _Curve | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[list[NurbsPatch]]: ...
 def offset_patch(

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "base/length.hpp"
 #include "splinecore/base/errors.hpp"
@@ -74,7 +75,7 @@ NurbsPatch cap_of(const NurbsPatch& mantle, const NurbsCurve& axis, bool is_star
 }  // namespace
 
 Approximation<std::vector<NurbsPatch>> pipe(const NurbsCurve& axis, std::span<const RailNumber> radii, PipeCaps caps,
-                                            std::optional<double> tolerance) {
+                                            std::optional<double> tolerance, std::optional<NurbsCurve> scale) {
   if (radii.empty()) throw InvalidShape("there is no radius");
   for (const RailNumber& radius : radii) {
     if (!(radius.value > 0.0 && std::isfinite(radius.value))) {
@@ -85,6 +86,7 @@ Approximation<std::vector<NurbsPatch>> pipe(const NurbsCurve& axis, std::span<co
   SweepOptions options;
   options.scales.assign(radii.begin(), radii.end());
   options.tolerance = tolerance;
+  options.scale = std::move(scale);
   Approximation<NurbsPatch> mantle = sweep(axis, std::span(&section, 1), options);
   std::vector<NurbsPatch> made{mantle.value};
   const bool has_ends = !axis.periodic() && !is_closed(axis);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
 
 #include "base/length.hpp"
@@ -20,6 +21,7 @@
 #include "numbers_along.hpp"
 #include "rail_frames.hpp"
 #include "rail_sections.hpp"
+#include "scale_along.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -52,6 +54,9 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
   reach *= std::max(1.0, options.end_scale);
   double scale = options.scales.empty() ? 1.0 : 0.0;
   for (const RailNumber& one : options.scales) scale = std::max(scale, one.value);
+  if (options.scale) {
+    scale *= std::ranges::max(options.scale->points(), {}, [](const glm::dvec4& p) { return p.x; }).x;
+  }
   return reach * scale > 0.0 ? kKinkShare * tolerance / (reach * scale) : 0.0;
 }
 
@@ -108,13 +113,15 @@ NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
 /// What sections are on their way along a rail, whose corners are mitred.
 class Sweeping {
  public:
+  /// @param scale       of the options, or none
   /// @param negligible  angles of corners that are none
-  Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options, double negligible)
-      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), places_(rail, options),
+  Sweeping(const NurbsCurve& rail, const RailSections& sections, const SweepOptions& options, const ScaleAlong* scale,
+           double negligible)
+      : rail_(rail), sections_(sections), options_(options), scales_(scales_of(options, rail)), scale_(scale), places_(rail, options),
         corners_(corners_above(rail, negligible)), begins_in_corner_(begins_in_corner()) {}
 
   bool is_level() const {
-    return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one();
+    return sections_.is_one() && options_.end_scale == 1.0 && options_.twist == 0.0 && scales_.is_one() && (!scale_ || scale_->is_one());
   }
 
   /// Those of the start.
@@ -123,12 +130,17 @@ class Sweeping {
     return places_.at(std::span(&start, 1), rail_.domain())[0].frame;
   }
 
-  double scale() const { return scales_.at(rail_.domain().start); }
+  double scale() const { return scale_at(rail_.domain().start); }
 
   RowDomain domain() const {
-    const bool goes_round = rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0;
+    std::vector<double> breaks = corners_;
+    if (scale_) std::ranges::copy(scale_->corners(rail_.domain()), std::back_inserter(breaks));
+    std::ranges::sort(breaks);
+    breaks.erase(std::ranges::unique(breaks).begin(), breaks.end());
+    const bool is_smooth_round = !scale_ || (scale_->goes_round() && breaks.empty());
+    const bool goes_round = rail_.periodic() && options_.end_scale == 1.0 && options_.twist == 0.0 && is_smooth_round;
     RowDomain domain{{rail_.domain().start}, joints_at(rail_.knot_vector()), goes_round ? Closing::closed : Closing::open};
-    for (const double corner : corners_) {
+    for (const double corner : breaks) {
       if (corner > rail_.domain().start && corner < rail_.domain().end) domain.breaks.push_back(corner);
     }
     domain.breaks.push_back(rail_.domain().end);
@@ -136,6 +148,7 @@ class Sweeping {
     if (!scales_.is_one()) {
       for (const double at : scales_.joints()) domain.joints.push_back({at, kSlopes});
     }
+    if (scale_) std::ranges::copy(scale_->joints(rail_.domain()), std::back_inserter(domain.joints));
     const int turns = twist_steps();
     for (int k = 1; k < turns; ++k) domain.joints.push_back({rail_.domain().start + rail_.domain().length() * k / turns, 1});
     return domain;
@@ -150,7 +163,7 @@ class Sweeping {
     for (std::size_t i = 0; i < at.size(); ++i) {
       for (std::size_t j = 0; j < width; ++j) {
         glm::dvec4& p = rows[i * width + j];
-        const glm::dvec3 out = in_frame(places[i].frame, scales_.at(at[i]) * turned(glm::dvec3(p), shares[i]));
+        const glm::dvec3 out = in_frame(places[i].frame, scale_at(at[i]) * turned(glm::dvec3(p), shares[i]));
         p = glm::dvec4(out + p.w * places[i].point + slide(mitre, places[i], out, p.w) * places[i].frame.tangent, p.w);
       }
     }
@@ -160,6 +173,8 @@ class Sweeping {
  private:
   /// Knots of a cubic where there is no second derivative.
   static constexpr int kSlopes = 2;
+
+  double scale_at(double parameter) const { return scales_.at(parameter) * (scale_ ? scale_->at(parameter) : 1.0); }
 
   /// Parts in which sections do not turn too far to be seen turning.
   int twist_steps() const {
@@ -271,6 +286,7 @@ class Sweeping {
   const RailSections& sections_;
   const SweepOptions& options_;
   NumbersAlong scales_;
+  const ScaleAlong* scale_;
   RailPlaces places_;
   std::vector<double> corners_;
   bool begins_in_corner_;
@@ -305,6 +321,8 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   const NearSpace space(rail.points());
   const double tolerance = wanted.tolerance.value_or(space.length(0x1p-20));
   const double negligible = negligible_angle(given, wanted, tolerance);
+  std::optional<ScaleAlong> scale;
+  if (wanted.scale) scale.emplace(*wanted.scale, rail.domain(), closes(rail));
   const NurbsCurve whole = prepared(rail, negligible);
   const NurbsCurve near = whole.with_points(space.enter(whole.points()));
   const bool begins_elsewhere = near.domain().start != rail.domain().start;
@@ -314,7 +332,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
       begins_elsewhere ? placed_on(near, given, rail.domain().start) : std::vector<RailSection>(given.begin(), given.end());
   const RailSections along(sections, near, space.length(1.0));
   const auto left = [&](const NurbsPatch& patch) { return patch.with_points(space.leave(patch.points())); };
-  Sweeping sweeping(near, along, options, negligible);
+  Sweeping sweeping(near, along, options, scale ? &*scale : nullptr, negligible);
   if (sweeping.is_level() && (options.frame == RailFrame::parallel || is_straight(near))) {
     return {left(sum_of(near, along, sweeping.first_frame(), sweeping.scale())), 0.0};
   }

@@ -94,6 +94,10 @@ def _of_data(data, is_surface):
             [spline.material_index for spline in data.splines])
 
 
+#: What not_followed() calls the radius of points.
+RADIUS = "the radius"
+
+
 def not_followed(ob):
     """What of a native object read() does not read even with a depsgraph: nouns for the user."""
     found = [] if ob.type == 'SURFACE' else _thickness(ob.data)
@@ -122,6 +126,6 @@ def _thickness(curve):
         "the taper": curve.taper_object is not None,
         "the start and end of the bevel": (curve.bevel_factor_start, curve.bevel_factor_end) != (0, 1),
         "the tilt": any(point.tilt != 0 for point in points),
-        "the radius": any(point.radius != 1 for point in points),
+        RADIUS: any(point.radius != 1 for point in points),
     }
     return [noun for noun, is_there in has.items() if is_there]

@@ -266,6 +266,42 @@ def set_flags(ob, chosen):
     bmesh.update_edit_mesh(ob.data)
 
 
+def is_chosen(ob, index, kind):
+    """Whether a vertex or an edge is selected. kind: 'verts' or 'edges'."""
+    return _part(bmesh.from_edit_mesh(ob.data), index, kind).select
+
+
+def choose(ob, index, kind, how):
+    """Select a vertex or an edge, as a click does: 'only' and 'extend' select it, 'deselect' ends that, 'toggle' does what is
+    not so."""
+    mesh = bmesh.from_edit_mesh(ob.data)
+    part = _part(mesh, index, kind)
+    is_on = not part.select if how == 'toggle' else how != 'deselect'
+    part.select_set(is_on)
+    mesh.select_history.discard(part)
+    if is_on:
+        mesh.select_history.add(part)
+    mesh.select_flush_mode()
+    bmesh.update_edit_mesh(ob.data, loop_triangles=False, destructive=False)
+
+
+def clear(ob):
+    """Select nothing."""
+    mesh = bmesh.from_edit_mesh(ob.data)
+    for parts in (mesh.faces, mesh.edges, mesh.verts):
+        for part in parts:
+            part.select = False
+    mesh.select_history.clear()
+    mesh.select_flush_mode()
+    bmesh.update_edit_mesh(ob.data, loop_triangles=False, destructive=False)
+
+
+def _part(mesh, index, kind):
+    parts = getattr(mesh, kind)
+    parts.ensure_lookup_table()
+    return parts[index]
+
+
 def move(ob, rows):
     """Give vertices in Edit Mode positions and weights. rows: x, y, z, w by the slot of a vertex."""
     mesh = bmesh.from_edit_mesh(ob.data)

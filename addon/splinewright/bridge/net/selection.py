@@ -41,6 +41,23 @@ def select(ob, net, vertices):
     _set_flags(ob, flags)
 
 
+def is_chosen(ob, index, kind):
+    """cage.is_chosen() of a patch's net."""
+    return cage.is_chosen(ob, index, kind)
+
+
+def choose(ob, index, kind, how):
+    """cage.choose() in a patch's net."""
+    state.selected.pop(key(ob.data), None)
+    cage.choose(ob, index, kind, how)
+
+
+def clear(ob):
+    """Select nothing of a patch's net."""
+    state.selected.pop(key(ob.data), None)
+    cage.clear(ob)
+
+
 def move(ob, net, vertices, rows):
     """place(), and the numbers are kept in float64 beside the net."""
     _require_there(ob, net, vertices)

@@ -12,6 +12,10 @@ _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", ch
     ("halves", "Halves", "Two halves, each with a point at infinity"),
     ("single", "Single", "One span of degree 5, all weights positive")))
 
+#: They are half diameters where the points do not lie at right angles.
+_HALF_AXES = (("Half Axis A", "From the centre to the first end, in units of the object; the end moves along it", 0, 1),
+              ("Half Axis B", "From the centre to the second end, in units of the object; the end moves along it", 0, 2))
+
 
 def _by_weight(points, weight):
     return Result(sc.conics.conic_arc(*points, weight))
@@ -77,9 +81,9 @@ RECIPES = (
     Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
            ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)), is_endless=True),
     Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM,), _ellipse,
-           ((0, 0, 0), (1, 0, 0), (0, 0.6, 0))),
+           ((0, 0, 0), (1, 0, 0), (0, 0.6, 0)), lengths=_HALF_AXES),
     Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
-           _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0))),
+           _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0)), lengths=_HALF_AXES),
     Recipe("foci", "Conic by Foci", "The ellipse or hyperbola of points whose distances from two foci have one sum or difference",
            (Parameter("distance", "Sum, Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
                       2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),

@@ -68,6 +68,10 @@ class Recipe:
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
+    radius_asked: str = ""              # the parameter that asks for the radius along its first input: make() takes it as
+                                        # `factor`, a curve over the parameters of that of which x is the radius, or None
+    lengths: tuple = ()                 # that are shown and typed in place of points: (label, description, the number of a
+                                        # point, that of the one that is so far from it)
 
     @property
     def wanted(self):

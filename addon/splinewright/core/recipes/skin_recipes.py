@@ -57,16 +57,18 @@ def _loft(inputs, style, closed, align, tolerance, simple, turned, cancel=None):
                                  tolerance=tolerance if simple else None, cancel=cancel))
 
 
-def _sweep(inputs, placed, frame, end_scale, twist, tolerance, spaces, turned, cancel=None):
+def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, spaces, turned, factor=None,
+           cancel=None):
     rail, *profiles = (_one_curve(definition) for definition in inputs)
-    rail = rail.reversed() if turned[0] else rail
+    if turned[0]:
+        rail, factor = rail.reversed(), factor.reversed() if own_radius else None
     profiles = [curve.reversed() if is_turned else curve for curve, is_turned in zip(profiles, turned[1:])]
     if placed == 'upright':
         profiles, at = rails.upright(profiles, spaces[1:]), None
     else:
         profiles, at = rails.along(rail, profiles, frame)
-    return _within(sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, tolerance=tolerance,
-                                  cancel=cancel))
+    return _within(sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor,
+                                  tolerance=tolerance, cancel=cancel))
 
 
 def _two_rails(inputs, height, tolerance, turned, cancel=None):
@@ -77,11 +79,11 @@ def _two_rails(inputs, height, tolerance, turned, cancel=None):
     return _within(sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel))
 
 
-def _pipe(inputs, radius, end_radius, caps, tolerance, cancel=None):
+def _pipe(inputs, radius, end_radius, own_radius, caps, tolerance, factor=None, cancel=None):
     axis = _one_curve(inputs[0])
     start, end = axis.domain
     radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
-    return _patches_within(sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, cancel=cancel))
+    return _patches_within(sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel))
 
 
 def _first_radii(inputs):
@@ -153,9 +155,12 @@ FROM_CURVES = (
            (_PLACED, Parameter("frame", "Frame", "How it turns with the rail", "minimal", choices=_FRAMES),
             Parameter("end_scale", "End Scale", "Size at the end of the rail by that at its start", 1.0, 1e-3, 1e3),
             Parameter("twist", "Twist", "Turn about the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
-                      unit='ROTATION'), _TOLERANCE),
+                      unit='ROTATION'),
+            Parameter("own_radius", "Radius of Curve", "Sections are as much larger as the radius of the rail's points says, which "
+                      "Alt+S changes", False), _TOLERANCE),
            _sweep, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, has_turns=True,
-           takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail, fixed=1),
+           takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail, fixed=1,
+           radius_asked="own_radius"),
     Recipe("two_rails", "Sweep on Two Rails",
            "The surface of sections that run from one rail, the active curve, to a second one; it follows them",
            (Parameter("height", "Height", "Of sections where the rails come nearer or part", "scaled", choices=_HEIGHTS),
@@ -164,9 +169,10 @@ FROM_CURVES = (
     Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
            (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH', follows="radius"),
+            Parameter("own_radius", "Radius of Curve", "Times the radius of the curve's points, which Alt+S changes", False),
             Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS), _TOLERANCE),
            _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
-           first_values=_first_radii),
+           first_values=_first_radii, radius_asked="own_radius"),
 )
 FROM_BOTH = (
     Recipe("network", "Surface of a Network",

@@ -28,6 +28,9 @@ class _PicksSides(Pointing):
         self._picked = []
         return self.begin(context, event)
 
+    def meant(self, context):
+        return list({ob.name: ob for ob, _ in self.pieces(context, self._picked)}.values())
+
     def forget(self):
         state.sides = ()
 

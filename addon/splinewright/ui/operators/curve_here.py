@@ -31,6 +31,10 @@ class _OnCurve(ByClick):
         self._known = {}
         return super().invoke(context, event)
 
+    @classmethod
+    def meant(cls, context):
+        return list(filter(replacing.is_curve_shape, super().meant(context)))
+
     def once(self, key, find):
         """What find() gives, which is called for each key once."""
         if key not in self._known:
@@ -127,7 +131,7 @@ class _PicksCurves(Pointing):
 
     def look(self, context, event):
         try:
-            found = picking.pointed_at(event.mouse_x, event.mouse_y, self._meant(context), context.evaluated_depsgraph_get())
+            found = picking.pointed_at(event.mouse_x, event.mouse_y, self.meant(context), context.evaluated_depsgraph_get())
         except FAILURES:
             found = None                # such a shape shows nothing to point at
         self._found = found if found and not self._is_picked(found) else None
@@ -135,7 +139,7 @@ class _PicksCurves(Pointing):
         redraw()
         return self._found is not None
 
-    def _meant(self, context):
+    def meant(self, context):
         obs = [ob for ob in context.selected_objects if hand.is_free(ob) and ob.visible_get()]
         return [ob for ob in obs if ob != self._picked[0][0]] if self._picked and len(obs) > 1 else obs
 

@@ -1,5 +1,7 @@
 """A contour of segments and arcs, point after point by clicks in a 3D view."""
 
+import math
+
 import bpy
 import numpy as np
 from bpy.props import FloatProperty, StringProperty
@@ -8,9 +10,9 @@ from mathutils import Vector
 
 from ...bridge import shape
 from ...bridge.file_state import state
-from ...core import contours, decimals, typed_number
+from ...core import contours, decimals, guides, typed_number
 from ...core.failures import FAILURES
-from .. import picking, snapping
+from .. import drawing_marks, picking, snapping, weight_overlay
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
 from .pointing import PASSED, Typing, redraw
@@ -23,8 +25,9 @@ _MEETING = 12.0
 class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
     bl_idname = "splinewright.draw_contour"
     bl_label = "Draw Contour"
-    bl_description = ("Click points of a contour, one after the other, on the plane through the 3D cursor that faces the view: A "
-                      "changes between segments and arcs that go on smoothly, Enter ends it, a click on its first point closes it")
+    bl_description = ("Click points of a contour, one after the other, on the plane through the 3D cursor that faces the "
+                      "view: A changes between segments and arcs that go on smoothly, Ctrl holds to steps of 15°, numbers are "
+                      "lengths and after Tab angles, Enter ends it, a click on its first point closes it")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     contour: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
@@ -37,12 +40,18 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         return can_add(cls, context)
 
     def invoke(self, context, event):
-        self._kind, self._typed, self._view = contours.SEGMENT, typed_number.Typed(), None
+        self._kind, self._view, self._mark = contours.SEGMENT, None, ""
         self._drawn = self._longer = contours.Contour()
+        self._forget_typed()
+        self._marks = drawing_marks.Marks(context)
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
-        self._show(context)
+        self._show(context, event)
         return {'RUNNING_MODAL'}
+
+    def _forget_typed(self):
+        """Typed is the length; _other has the angle meanwhile, or the other way round."""
+        self._typed, self._other, self._types_angle = typed_number.Typed(), typed_number.Typed(), False
 
     def modal(self, context, event):
         if event.type in PASSED and not (event.type.startswith("NUMPAD_") and self._drawn.points):
@@ -50,26 +59,34 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
             self.cancel(context)
             return {'CANCELLED'}
-        if event.value == 'PRESS' and self._drawn.points:
+        if event.value == 'PRESS' and event.type == 'S':
+            self._marks.are_on = not self._marks.are_on
+        elif event.value == 'PRESS' and self._drawn.points:
             if event.type in _DONE:
                 return self._end(context)
             if event.type == 'C' and len(self._drawn.points) > 2:
                 return self._end(context, closed=True)
-            if event.type == 'A':
-                self._kind = contours.ARC if self._kind == contours.SEGMENT else contours.SEGMENT
-            elif event.type == 'BACK_SPACE' and not self._typed.digits:
-                self._drawn = self._drawn.shortened()
-            elif len(self._drawn.points) > 0:
-                self.takes(event)
+            self._key(event)
         self._aim(context, event)
         if event.type == 'LEFTMOUSE' and event.value == 'PRESS':
             return self._click(context, event)
-        self._show(context)
+        self._show(context, event)
         return {'RUNNING_MODAL'}
+
+    def _key(self, event):
+        if event.type == 'A':
+            self._kind = contours.ARC if self._kind == contours.SEGMENT else contours.SEGMENT
+        elif event.type == 'TAB':
+            self._typed, self._other, self._types_angle = self._other, self._typed, not self._types_angle
+        elif event.type == 'BACK_SPACE' and not self._typed.digits:
+            self._drawn = self._drawn.shortened()
+            self._marks.begin_at(self._drawn)
+        else:
+            self.takes(event)
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.contour = None
+        state.contour = state.weighing = None
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
@@ -98,23 +115,48 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return
         region, space = view
         pixel = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
-        place = snapping.place_at(context, region, space, pixel, ()) if snapping.is_on(event) else None
+        place, self._mark = None, ""
+        if not event.ctrl and self._numbers() == (None, None):
+            place, self._mark = self._met(context, region, space, pixel)
         if place is None:
             place = view3d_utils.region_2d_to_location_3d(region, space, pixel, self._depth(context))
-        self._longer = self._drawn.after(self._at_length(np.array(place, dtype=np.float64)), self._kind)
+            place = self._guided(np.array(place, dtype=np.float64), space, event.ctrl)
+        self._longer = self._drawn.after(place, self._kind)
+
+    def _met(self, context, region, view, pixel):
+        """(the place (3,) of something at the mouse, what that is); (None, "") where nothing is."""
+        found = self._marks.at(region, view, pixel)
+        if found is not None:
+            return found.place, found.name
+        if context.scene.tool_settings.use_snap:
+            return snapping.place_at(context, region, view, pixel, ()), ""
+        return None, ""
+
+    def _numbers(self):
+        """(length, angle in radians) as typed, None for what is not."""
+        length, angle = (self._other, self._typed) if self._types_angle else (self._typed, self._other)
+        return length.number, None if angle.number is None else math.radians(angle.number)
+
+    def _guided(self, place, view, is_held):
+        """A place in the plane of the view through the last point, as angles are held and numbers typed."""
+        length, angle = self._numbers()
+        if not self._drawn.points or not is_held and (length, angle) == (None, None):
+            return place
+        last, plane = np.array(self._drawn.points[-1]), _plane(view)
+        away = guides.next_point(plane @ (place - last), self._way(plane), is_held, length, angle)
+        return last + plane.T @ away
+
+    def _way(self, plane):
+        """(2,) in a plane: where the contour goes on; None at its first point."""
+        try:
+            way = contours.way_of(self._drawn)
+        except FAILURES:
+            return None
+        return None if way is None else plane @ way
 
     def _depth(self, context):
         """The plane goes through the first point."""
         return Vector(self._drawn.points[0]) if self._drawn.points else context.scene.cursor.location
-
-    def _at_length(self, place):
-        """As far from the last point as was typed."""
-        length = self._typed.number
-        if length is None or not self._drawn.points:
-            return place
-        last = np.array(self._drawn.points[-1])
-        away = np.linalg.norm(place - last)
-        return last + (place - last) * (length / away) if away > 0 else place
 
     def _click(self, context, event):
         view = picking.view_at(event.mouse_x, event.mouse_y)
@@ -122,13 +164,12 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return {'RUNNING_MODAL'}
         if len(self._drawn.points) > 2 and self._is_on_first(event):
             return self._end(context, closed=True)
-        try:
-            if self._longer.kinds:
-                contours.parts_of(self._longer)
-        except FAILURES:
+        if self._longer.kinds and not _is_possible(self._longer):
             return {'RUNNING_MODAL'}    # there is no such arc
-        self._view, self._drawn, self._typed = view, self._longer, typed_number.Typed()
-        self._show(context)
+        self._view, self._drawn = view, self._longer
+        self._forget_typed()
+        self._marks.begin_at(self._drawn)
+        self._show(context, event)
         return {'RUNNING_MODAL'}
 
     def _is_on_first(self, event):
@@ -136,23 +177,56 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         first = picking.on_screen(region, space, np.eye(4), np.array(self._drawn.points[:1]))[0]
         return np.hypot(*(first - (event.mouse_x - region.x, event.mouse_y - region.y))) <= picking.near(_MEETING)
 
-    def _show(self, context):
+    def _show(self, context, event):
         state.contour = self._drawn, self._longer
+        words = " ".join(filter(None, (self._measures(), self._mark)))
+        view = self._view or picking.view_at(event.mouse_x, event.mouse_y)
+        state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
+                          if view and words else None)
         kind = "arc, on from what is before" if self._kind == contours.ARC else "segment"
-        typed = f"length {self._typed}   |   " if self._typed.digits else ""
-        more = "Enter: done   |   C, or click the first point: close   |   Backspace: one back   |   Numbers: length   |   "
-        context.workspace.status_text_set(
-            f"Click: {kind}   |   {typed}A: segment, arc   |   Ctrl: magnet   |   {more if self._drawn.points else ''}"
-            "Esc, Right Mouse: cancel")
+        keys = [f"Click: {kind}", "A: segment, arc",
+                f"S: marks of curves {'off' if self._marks.are_on else 'on'}"]
+        if self._drawn.points:
+            typed, other = ("angle", "length") if self._types_angle else ("length", "angle")
+            keys += ["Ctrl: steps of 15°", f"Numbers: {typed}", f"Tab: {other}", "Backspace: one back", "Enter: done",
+                     "C, first point: close"]
+        context.workspace.status_text_set("   |   ".join([*keys, "Esc, Right Mouse: cancel"]))
         redraw()
 
+    def _measures(self):
+        """The length of the part that a click adds, and its angle, as they are or as they are typed."""
+        if not self._drawn.points or len(self._longer.points) == len(self._drawn.points) or self._view is None:
+            return ""
+        plane = _plane(self._view[1])
+        away = np.array(self._longer.points[-1]) - np.array(self._drawn.points[-1])
+        angle = math.degrees(guides.turn(plane @ away, self._way(plane)))
+        numbers = [decimals.text_of(np.linalg.norm(away), 4), f"{decimals.text_of(angle, 4)}°"]
+        if self._typed.digits:
+            numbers[self._types_angle] = f"[{self._typed}{'°' if self._types_angle else ''}]"
+        return f"Length {numbers[0]}   Angle {numbers[1]}"
+
     def _end(self, context, closed=False):
-        drawn = self._drawn._replace(closed=closed)
+        drawn = self._drawn._replace(closed=closed, closing=self._kind if closed else contours.SEGMENT)
+        if closed and not _is_possible(drawn):
+            return {'RUNNING_MODAL'}    # there is no such arc
         self.cancel(context)
         if len(drawn.points) < 2:
             return reports.stopped(self, "one point is no contour: click two or more")
         self.contour = contours.text_of(drawn)
         return self.execute(context)
+
+
+def _is_possible(contour):
+    try:
+        contours.parts_of(contour)
+    except FAILURES:
+        return False
+    return True
+
+
+def _plane(view):
+    """(2, 3): the directions of a view to the right and up."""
+    return np.array(view.view_rotation.to_matrix(), dtype=np.float64).T[:2]
 
 
 CLASSES = (SPLINEWRIGHT_OT_draw_contour,)

@@ -8,7 +8,7 @@ from ...bridge.file_state import state
 from ...core import aiming
 from ...core.failures import FAILURES
 from .. import aim_overlay, editing, hand, picking
-from . import reports
+from . import meant, reports
 from .pointing import PASSED, redraw
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
@@ -45,7 +45,7 @@ class ByClick:
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
-        self._snaps = False
+        self._snaps, self._why_none = False, ""
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
         self._aim(context, event)
@@ -61,7 +61,11 @@ class ByClick:
             return {'CANCELLED'}
         self._snaps |= not event.ctrl   # the Ctrl of the key that called it does not count
         self._aim(context, event)
-        if event.type not in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') or event.value != 'PRESS' or not state.aimed:
+        if event.type not in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') or event.value != 'PRESS':
+            return {'RUNNING_MODAL'}
+        if not state.aimed:
+            self._why_none = meant.why_none(context, event, self.meant(context))
+            self._tell(context)
             return {'RUNNING_MODAL'}
         aimed = state.aimed
         self.cancel(context)
@@ -85,8 +89,20 @@ class ByClick:
         """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
         aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
         state.aimed = self.told(context, aimed) if aimed else None
-        context.workspace.status_text_set(_status(state.aimed, self.thing, self.does))
+        if aimed or event.type != 'LEFTMOUSE':
+            self._why_none = "" if aimed else self._why_none
+            self._tell(context)
         redraw()
+
+    @classmethod
+    def meant(cls, context):
+        """The shapes that can be clicked."""
+        return _meant(context)
+
+    def _tell(self, context):
+        """In the status bar: why a click did nothing or what is worked on, and the keys."""
+        first = f"{self._why_none}   |   " if self._why_none else meant.works_on(self.meant(context))
+        context.workspace.status_text_set(first + _status(state.aimed, self.thing, self.does))
 
 
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
@@ -166,10 +182,14 @@ def aimed_by_tool(context, x, y, direction, in_middle=False):
     return aimed_at(context, x, y, direction, in_middle)
 
 
+def _meant(context):
+    """The shapes in hand that take knots, and are to be seen."""
+    return [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
+
+
 def _found(context, x, y, in_middle):
     """(object, number of its piece, its parameters), or None."""
-    obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
-    found = picking.pointed_at(x, y, obs, context.evaluated_depsgraph_get())
+    found = picking.pointed_at(x, y, _meant(context), context.evaluated_depsgraph_get())
     if found is None or not in_middle:
         return found
     ob, number, parameters = found

@@ -2,6 +2,7 @@
 
 from ...core import typed_number
 from .. import picking
+from . import meant
 
 #: What goes on meanwhile: the view may be turned.
 PASSED = {'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'WHEELINMOUSE', 'WHEELOUTMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM',
@@ -46,11 +47,15 @@ class Pointing:
         """What modal() returns when what look() found is clicked; it is shown still."""
         raise NotImplementedError
 
+    def meant(self, context):
+        """The shapes that can be clicked now; none where anything can."""
+        return []
+
     def begin(self, context, event):
         """What invoke() returns."""
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('EYEDROPPER')
-        context.workspace.status_text_set(self.hint)
+        self.tell(context)
         self.look(context, event)
         return {'RUNNING_MODAL'}
 
@@ -61,9 +66,20 @@ class Pointing:
             self.cancel(context)
             return {'CANCELLED'}
         is_found = event.type in ('MOUSEMOVE', 'LEFTMOUSE') and self.look(context, event)
-        if event.type != 'LEFTMOUSE' or event.value != 'PRESS' or not is_found:
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS':
             return {'RUNNING_MODAL'}
-        return self.clicked(context)
+        if is_found:
+            ended = self.clicked(context)
+            if ended == {'RUNNING_MODAL'}:
+                self.tell(context)      # what can be clicked is another now
+            return ended
+        self.tell(context, meant.why_none(context, event, self.meant(context)) if self.meant(context) else "")
+        return {'RUNNING_MODAL'}
+
+    def tell(self, context, why_none=""):
+        """In the status bar: why a click did nothing, what is worked on, and the keys."""
+        first = f"{why_none}   |   " if why_none else meant.works_on(self.meant(context))
+        context.workspace.status_text_set(first + self.hint)
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""

@@ -16,7 +16,7 @@ from ...bridge.net import net_object
 from ...core import decimals, parameters, patch_verbs, verbs
 from ...core import pulling as pulls
 from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand, picking, snapping
+from .. import editing, hand, picking, seeing, snapping
 from ..pull_keys import Keys
 from ..pull_overlay import Pull
 from . import reports
@@ -146,9 +146,9 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     def _is_at(self, context, event):
         """Whether the mouse is over a shape that can be pulled, and at no point of a net, which is selected by a click."""
-        view = picking.view_at(event.mouse_x, event.mouse_y)
-        nets = editing.nets_in_edit_mode(context)
-        if view and picking.point_at(*view, (event.mouse_x - view[0].x, event.mouse_y - view[0].y), nets, within=_ON_POINT):
+        found = picking.area_at(event.mouse_x, event.mouse_y)
+        pixel = (event.mouse_x - found[1].x, event.mouse_y - found[1].y) if found else None
+        if found and seeing.point_at(context, *found, pixel, editing.nets_in_edit_mode(context), within=_ON_POINT):
             return False
         self._aim(context, event)
         return bool(self.shape_name)

@@ -56,11 +56,11 @@ def by_name(texts):
     names = {}
     for name, text in texts.items():
         names.setdefault(text, []).append(name)
-    return tuple(named(_listed(of_text), text) for text, of_text in names.items())
+    return tuple(named(listed(of_text), text) for text, of_text in names.items())
 
 
-def _listed(names):
-    """A, B, C and 4 more."""
+def listed(names):
+    """A, B, C and 4 more, of a list."""
     shown, more = names[:_MOST], len(names) - _MOST
     return ", ".join(shown) + (f" and {more} more" if more > 0 else "")
 

@@ -11,7 +11,7 @@ from ...bridge.file_state import state
 from ...bridge.net import live, net_object, selection, weighing
 from ...core import decimals, typed_number
 from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, picking, weight_overlay
+from .. import editing, picking, seeing, weight_overlay
 from . import reports
 from .pointing import PASSED, Typing, redraw
 
@@ -226,13 +226,12 @@ def _put_back(chosen):
 
 def _take_in_hand(context, event):
     """Whether there is a point at the mouse; it is selected then, alone unless it was among the selected ones."""
-    view = picking.view_at(event.mouse_x, event.mouse_y)
+    area = picking.area_at(event.mouse_x, event.mouse_y)
     nets = list(filter(has_weights, editing.nets_in_edit_mode(context)))
-    if view is None:
+    if area is None:
         return False
-    region, view = view
-    pixel = event.mouse_x - region.x, event.mouse_y - region.y
-    found = picking.point_at(region, view, pixel, nets, lambda net: net.weighted)
+    pixel = event.mouse_x - area[1].x, event.mouse_y - area[1].y
+    found = seeing.point_at(context, *area, pixel, nets, are_meant=lambda net: net.weighted)
     if found is None:
         return False
     ob, vertex = found

@@ -24,9 +24,11 @@ enum class PipeCaps {
 /// A sweep() of a circle, periodic in u, at right angles to the curve everywhere. The radius goes from one to the next
 /// without overshoot, before the first and behind the last it stays. A closed curve has no caps.
 /// @param radii  at parameters of the curve, which increase
+/// @param scale  of radii: what x of it is at the parameters of the curve, as SweepOptions::scale
 /// @returns the patches, and how far rows of the mantle were found to be from where they should be
 /// @throws InvalidShape if there is no radius, or one is not above 0; ToleranceNotReached and InvalidShape as sweep()
 Approximation<std::vector<NurbsPatch>> pipe(const NurbsCurve& axis, std::span<const RailNumber> radii,
-                                            PipeCaps caps = PipeCaps::none, std::optional<double> tolerance = {});
+                                            PipeCaps caps = PipeCaps::none, std::optional<double> tolerance = {},
+                                            std::optional<NurbsCurve> scale = {});
 
 }  // namespace splinecore

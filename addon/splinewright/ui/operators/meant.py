@@ -1,0 +1,47 @@
+"""Tools that are clicked say which shapes they work on, and why one at the mouse is none of them."""
+
+from ...bridge import recipes, shape, store
+from ...core.failures import FAILURES
+from .. import hand, picking
+from .reports import listed
+
+
+def works_on(obs):
+    """The shapes that are worked on, for the status bar."""
+    return f"Works on {listed([ob.name for ob in obs])}   |   " if obs else ""
+
+
+def why_none(context, event, meant):
+    """Why a click there does nothing, where a shape is at the mouse that is not meant; else ""."""
+    known = {ob.name for ob in meant}
+    others = [ob for ob in context.visible_objects if ob.name not in known and shape.has_shape(ob)]
+    found = [one for ob in others for one in [_pointed_at(context, event, ob)] if one]
+    return _why_not(context, found[0], meant) if found else ""
+
+
+def _pointed_at(context, event, ob):
+    """The object where it is at the mouse, or None."""
+    try:
+        found = picking.pointed_at(event.mouse_x, event.mouse_y, [ob], context.evaluated_depsgraph_get())
+    except FAILURES:
+        return None                     # such a shape shows nothing to point at
+    return ob if found else None
+
+
+def _why_not(context, ob, meant):
+    alone = f"only {listed([one.name for one in meant])} {'is' if len(meant) == 1 else 'are'} worked on" if meant else ""
+    if ob not in context.selected_objects and ob not in context.objects_in_mode:
+        return f"{ob.name} is not selected" + (f": {alone}" if alone else "")
+    return f"{ob.name} {_bound(ob)}" + (f"; {alone}" if alone else "")
+
+
+def _bound(ob):
+    """Why a selected shape is not meant."""
+    if ob.data.library:
+        return "is linked from another file: make it local first"
+    try:
+        if recipes.has(ob.data):
+            return "comes of a recipe: use Make Editable first"
+    except store.UnreadableDefinition:
+        return "cannot be read"
+    return "is not meant now" if hand.is_free(ob) else "cannot be changed"
