@@ -137,6 +137,16 @@ def _put_out(context, ob):
     return held
 
 
+def show_in_local_views(manager):
+    """Where a net was taken into a local view alone, its shape follows."""
+    spaces = [area.spaces.active for window in manager.windows for area in window.screen.areas if area.type == 'VIEW_3D']
+    for space in spaces:
+        for held in nets() if space.local_view else ():
+            owner = net_object.shape_of(held)
+            if held.mode == 'EDIT' and held.local_view_get(space) and owner and not owner.local_view_get(space):
+                owner.local_view_set(space, True)
+
+
 def _brought_back(context, held):
     """A net that was kept, where it can be edited."""
     if not _is_in(context.view_layer, held):

@@ -155,6 +155,8 @@ def _come_back():
 
 
 def _serve():
+    if state.nets:
+        editing.show_in_local_views(bpy.context.window_manager)
     return errands.serve(_come_back)
 
 

@@ -53,7 +53,17 @@ def _suspend(scene, layer, members):
     for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
+    _select_shapes(layer, [ob for ob, collections in zip(members, taken) if collections])
     return _Suspended(scene, layer, members, taken)
+
+
+def _select_shapes(layer, nets):
+    """The file opens with the shapes in hand whose nets are not in it."""
+    owners = [owner for owner in map(net_object.shape_of, nets) if owner is not None and layer.objects.get(owner.name) == owner]
+    for owner in owners:
+        owner.select_set(True, view_layer=layer)
+    if owners and layer.objects.active is None:
+        layer.objects.active = owners[0]
 
 
 @persistent
