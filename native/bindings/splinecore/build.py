@@ -28,6 +28,7 @@ join_curves = _build.join_curves
 join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
+corner_counts = _build.corner_counts
 loft = _build.loft
 match_patch = _build.match_patch
 network = _build.network
@@ -58,6 +59,7 @@ __all__ = [
     "cone",
     "contour",
     "coons",
+    "corner_counts",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",

@@ -34,6 +34,7 @@ __all__ = [
     "cone",
     "contour",
     "coons",
+    "corner_counts",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",
@@ -240,6 +241,7 @@ def loft(
     degree: int = 3,
     align: bool = True,
     turned: Sequence[bool] | None = None,
+    corners: Literal["free", "matched"] = "free",
     weights: Literal["scaled", "kept"] = "scaled",
     tolerance: float | None = None,
     knot_distance: float = 0.0,
@@ -247,12 +249,13 @@ def loft(
     knots: ArrayLike | None = None,
     start_tangent: ArrayLike | None = None,
     end_tangent: ArrayLike | None = None,
-    start_flat: ArrayLike | None = None,
-    end_flat: ArrayLike | None = None,
+    start_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
+    end_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
     start_neighbour: _Neighbour | None = None,
     end_neighbour: _Neighbour | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
+def corner_counts(sections: Sequence[_Curve | ArrayLike], *, align: bool = True) -> list[int]: ...
 def blend_patches(
     a: _Patch,
     side_a: _Border,
