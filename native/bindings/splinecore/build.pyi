@@ -27,6 +27,7 @@ __all__ = [
     "blend",
     "blend_patches",
     "c2_pair",
+    "cap",
     "catmull_clark",
     "catmull_rom",
     "chain_from_polygon",
@@ -42,6 +43,7 @@ __all__ = [
     "extend_patch",
     "extrude",
     "fill",
+    "fill_rim",
     "fillet_patches",
     "filleted",
     "fillets",
@@ -55,6 +57,7 @@ __all__ = [
     "match_patch",
     "network",
     "offset_patch",
+    "open_ends",
     "osculating_polynomial",
     "patch_from_formulas",
     "pipe",
@@ -351,6 +354,16 @@ def fill(
     angle: float = 1e-4,
     cancel: Callable[[], object] | None = None,
 ) -> Filling: ...
+def fill_rim(
+    sides: Sequence[_Curve], *, cancel: Callable[[], object] | None = None
+) -> Approximation[list[NurbsPatch]]: ...
+def open_ends(patches: Sequence[_Patch]) -> list[list[tuple[int, _Border]]]: ...
+def cap(
+    patches: Sequence[_Patch],
+    ends: Sequence[Sequence[tuple[int, _Border]]] | None = None,
+    *,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[list[NurbsPatch]]: ...
 def fillet_patches(
     first: _Patch,
     first_side: _Border,
