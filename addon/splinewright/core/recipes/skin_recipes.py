@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, neighbours, rails, sections, verbs
+from .. import decimals, holes, neighbours, rails, rims, sections, verbs
 from ..failures import AboutInputs, Refusal
 from ..library import sc
 from .recipe import Parameter, Recipe, Result
@@ -103,9 +103,33 @@ def _network(inputs, tolerance, cancel=None):
 
 def _filling(inputs, continuity, other, tolerance, cancel=None):
     shapes = [[_one_curve(definition)] if definition.has_curves else verbs.pieces_of(definition) for definition in inputs]
+    curves = [pieces[0] for pieces, definition in zip(shapes, inputs) if definition.has_curves]
+    normal = rims.normal_of(curves) if len(curves) == len(shapes) else None
+    if normal is None:
+        return _of_sides(_sides_around(shapes, continuity, other, tolerance), tolerance, cancel)
+    # What few sides give is kept where it is as it should be.
+    refused = None
+    try:
+        found = _of_sides(_sides_around(shapes, continuity, other, tolerance), tolerance, cancel)
+        patches = [found.value] if hasattr(found.value, 'domain') else [found.value[i] for i in range(len(found.value))]
+        if rims.is_good(patches, found.error, curves, normal):
+            return found
+    except (Refusal, sc.InvalidShape, sc.ToleranceNotReached) as error:
+        refused = error
+    try:
+        patches = list(rims.filled(curves, cancel).value)
+    except sc.InvalidShape as error:
+        raise refused or Refusal(f"{error}: nothing within it would be plane without a fold") from error
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), 0.0, "plane")
+
+
+def _sides_around(shapes, continuity, other, tolerance):
     is_one = len(shapes) == 1 and len(shapes[0]) == 1
-    sides = (holes.of_one(shapes[0], continuity, other) if is_one
-             else holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance))
+    return (holes.of_one(shapes[0], continuity, other) if is_one
+            else holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance))
+
+
+def _of_sides(sides, tolerance, cancel):
     found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
     said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
