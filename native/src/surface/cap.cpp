@@ -21,7 +21,7 @@ namespace splinecore {
 namespace {
 
 constexpr int kMostRounds = 10;          // of cutting: at corners, and then in halves
-constexpr std::size_t kMostSides = 256;  // of a rim that is cut
+constexpr std::size_t kMostSides = 128;  // of a rim that is cut
 
 const char* const kNotSeen =
     "the rim is seen whole from no point, and no chords between its corners cut it into parts that are: it crosses itself, "

@@ -178,6 +178,7 @@ class RegionCutter {
   /// Those inside that begin or end where the border is hollow, the shortest first.
   std::vector<RegionChord> chords_in(const Loop& loop) const {
     constexpr std::size_t kMost = 48;
+    constexpr std::size_t kMostTried = 3000;
     std::vector<std::size_t> corners;
     const Line line = line_of(loop, &corners);
     const std::vector<bool> hollow = are_hollow(loop, line, corners);
@@ -192,6 +193,7 @@ class RegionCutter {
       }
     }
     std::ranges::sort(all, {}, &RegionChord::length);
+    all.resize(std::min(all.size(), kMostTried));
     std::vector<RegionChord> inside;
     for (const RegionChord& chord : all) {
       breathe(line.size());
