@@ -182,11 +182,26 @@ def random_rim(rng):
     return curve.transformed(matrix), axes[:, 2]
 
 
-def test_random_rims_are_filled_to_their_area_or_refused(inputs):
+def hollow_rim(rng):
+    """A comb, or a strip that winds up to one and a half times: seen whole from nowhere."""
+    if rng.random() < 0.5:
+        steps = np.cumsum(rng.uniform(0.2, 1.0, 2 * int(rng.integers(2, 8)) - 1))
+        top = [(x, 1.0 + (rng.uniform(0.3, 4.0) if (i // 2) % 2 == 0 else 0.0)) for i, x in enumerate(np.repeat(np.r_[0, steps], 2)[1:-1])]
+        return polygon((0, 0), (steps[-1], 0), *top[::-1]), np.array([0, 0, 1.0])
+    count, width = int(rng.integers(12, 20)), rng.uniform(0.15, 0.35)
+    angles = np.linspace(0, rng.uniform(0.3, 1.5) * 2 * np.pi, count)
+    radii = 1 + angles / (2 * np.pi)
+    rows = np.c_[np.r_[radii, (radii + width)[::-1]] * np.cos(np.r_[angles, angles[::-1]]),
+                 np.r_[radii, (radii + width)[::-1]] * np.sin(np.r_[angles, angles[::-1]]), np.zeros(2 * count)]
+    return sc.NurbsCurve(3, np.arange(2 * count + 1.0), rows, periodic=True), np.array([0, 0, 1.0])
+
+
+@pytest.mark.parametrize('kind', (random_rim, hollow_rim))
+def test_random_rims_are_filled_to_their_area_or_refused(kind, inputs):
     rng = np.random.default_rng(41)
-    count, refused = inputs(1000), 0
+    count, refused = inputs(1000 if kind is random_rim else 100), 0
     for number in range(count):
-        rim, normal = random_rim(rng)
+        rim, normal = kind(rng)
         wanted = rim.signed_area(normal)
         try:
             patches, bend = build.fill_rim([rim])
@@ -202,4 +217,4 @@ def test_random_rims_are_filled_to_their_area_or_refused(inputs):
         made, _ = build.cap([build.extrude(rim, tall)])
         volume = sc.PatchSet.from_patches(made).volume()
         assert abs(volume - abs(wanted) * size) <= 1e-6 * abs(volume), number
-    assert refused < 0.4 * count, refused
+    assert refused <= (0.4 if kind is random_rim else 0.05) * count, refused
