@@ -13,7 +13,7 @@ _GROUPS = (
     ("Pieces", ('patch_split', 'join_patches')),
     ("Direction", ('patch_reverse', 'patch_swap')),
     ("Speed", ('patch_reparametrise',)),
-    ("Ends", ('patch_clamp', 'patch_unclamp', 'patch_make_periodic', 'cap')),
+    ("Ends", ('patch_clamp', 'patch_unclamp', 'patch_make_periodic')),
     ("Kind", ('patch_to_bezier', 'patch_to_hermite', 'patch_to_nurbs')),
     ("Curves", ('extract_isocurve', 'extract_boundary')),
 )
