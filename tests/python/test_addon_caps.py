@@ -198,3 +198,8 @@ def test_a_letter_of_patches_is_cut_with_its_caps():
     assert definitions.to_patch_set(found.changed.definition).volume() == pytest.approx(22.0, rel=1e-9)
     own = [place for place in found.changed.places if place.u]
     assert len(own) == 12 and own[0].u[0].start == 0.0 and own[-1].u[0].end == 1.0
+
+
+def test_a_flat_sheet_is_not_covered_by_a_cap():
+    with pytest.raises(failures.Refusal, match="lies in one plane"):
+        caps.capped(definitions.from_value(build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))), 'ALL')

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from . import places, sewing, verbs
 from .failures import Refusal
 from .library import sc
@@ -29,6 +31,8 @@ def capped(definition, ends, cancel=None):
     found = sc.build.open_ends(patches)
     if not found:
         raise Refusal("it has no open end")
+    if _is_flat(patches):
+        raise Refusal("it lies in one plane: a cap would lie on it")
     chosen = sorted(found, key=lambda end: sum(patches[i].boundary(side).length(tolerance=1e-6) for i, side in end))
     chosen = {'ALL': found, 'SHORTEST': chosen[:1], 'LONGEST': chosen[-1:]}[ends]
     made, bend = sc.build.cap(patches, chosen, cancel=cancel)
@@ -45,6 +49,12 @@ def capped(definition, ends, cancel=None):
     joined += [(i, i + 1) for i in range(count - 1) if parents[i] == parents[i + 1]]
     changed = verbs.Changed(sewing.sewn(definition, after, parents, joined), tuple(parents), 0.0, tuple(lie))
     return Capped(changed, len(chosen), bend, is_turned)
+
+
+def _is_flat(patches):
+    points = np.concatenate([patch.points.reshape(-1, 3) for patch in patches])
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(spread[2] <= 1e-9 * spread[0])
 
 
 def _parts_of(made, patches, is_turned):
