@@ -1,6 +1,8 @@
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "approximation.hpp"
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "classes.hpp"
@@ -8,14 +10,20 @@
 #include "long_calls.hpp"
 #include "neighbours.hpp"
 #include "rooms.hpp"
+#include "splinecore/surface/cap.hpp"
 #include "splinecore/surface/fill.hpp"
 #include "values.hpp"
 
 namespace bindings {
 
+using splinecore::Border;
 using splinecore::FillOptions;
 using splinecore::FillSide;
 using splinecore::Filling;
+using splinecore::NurbsCurve;
+using splinecore::NurbsPatch;
+using splinecore::OpenEnd;
+using splinecore::SideOfPatch;
 
 namespace {
 
@@ -56,6 +64,89 @@ void bind_filling(py::module_& module) {
   });
 }
 
+/// The items of a list or tuple.
+py::sequence items_of(const py::object& value, const char* what) {
+  if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
+    throw py::type_error(std::string(what) + ", not " + type_name(value));
+  }
+  return py::reinterpret_borrow<py::sequence>(value);
+}
+
+std::vector<NurbsPatch> patches_of(const py::object& value) {
+  std::vector<NurbsPatch> patches;
+  for (const py::handle& item : items_of(value, "patches must be a list of patches")) {
+    const std::string name = "patches" + splinecore::index_text(patches.size());
+    patches.push_back(any_patch(py::reinterpret_borrow<py::object>(item), name.c_str()));
+  }
+  return patches;
+}
+
+SideOfPatch side_of(const py::object& value) {
+  const py::sequence pair = items_of(value, "a side must be a pair of the number of a patch and its side");
+  if (py::len(pair) != 2) throw py::type_error("a side must be a pair of the number of a patch and its side");
+  const int patch = integer(pair[0], "patch");
+  if (patch < 0) throw splinecore::InvalidShape("there is no patch " + std::to_string(patch));
+  return {static_cast<std::size_t>(patch), border_of(pair[1], "side")};
+}
+
+std::vector<OpenEnd> ends_of(const py::object& value) {
+  std::vector<OpenEnd> ends;
+  for (const py::handle& item : items_of(value, "ends must be a list of lists of sides")) {
+    OpenEnd& end = ends.emplace_back();
+    for (const py::handle& side : items_of(py::reinterpret_borrow<py::object>(item), "an end must be a list of sides")) {
+      end.push_back(side_of(py::reinterpret_borrow<py::object>(side)));
+    }
+  }
+  return ends;
+}
+
+const char* word_of(Border border) {
+  constexpr const char* kWords[] = {"u_start", "u_end", "v_start", "v_end"};
+  return kWords[static_cast<int>(border)];
+}
+
+void bind_rims(py::module_& build) {
+  build.def("fill_rim", [](const py::object& sides, const py::object& cancel) {
+              std::vector<NurbsCurve> rim;
+              for (const py::handle& item : items_of(sides, "sides must be a list of curves")) {
+                const std::string name = "sides" + splinecore::index_text(rim.size());
+                rim.push_back(any_curve(py::reinterpret_borrow<py::object>(item), name.c_str()));
+              }
+              return wrap(unlocked([&] { return splinecore::rim_filling(rim); }, cancel));
+            }, py::arg("sides"), py::kw_only(), py::arg("cancel") = py::none(),
+            "Patches within curves that go round, in any directions: (value, error), a list of NurbsPatch and how far the curves are\n"
+            "from a plane. u runs along a curve, on its control points, v from there by segments to a point that sees all of the\n"
+            "rim; one that is seen whole from nowhere is cut by chords. Those of a plane rim are plane and do not fold. Normals are\n"
+            "on the side from which the first curve runs to the left.\n\n"
+            "InvalidShape if the curves do not go round, one has a weight that is not positive, or the rim crosses itself, encloses\n"
+            "next to nothing, or has too many narrow bends.");
+  build.def("open_ends", [](const py::object& patches) {
+              const std::vector<NurbsPatch> given = patches_of(patches);
+              const std::vector<OpenEnd> found = unlocked([&] { return splinecore::open_ends(given); });
+              std::vector<std::vector<std::pair<std::size_t, std::string>>> ends;
+              for (const OpenEnd& end : found) {
+                auto& sides = ends.emplace_back();
+                for (const SideOfPatch& side : end) sides.emplace_back(side.patch, word_of(side.border));
+              }
+              return ends;
+            }, py::arg("patches"),
+            "The open ends of patches: for each a list of sides (number of a patch, side) that go round it.\n\n"
+            "InvalidShape if a patch is in several pieces, more than two open sides end in one point, or one ends where no other\n"
+            "does.");
+  build.def("cap", [](const py::object& patches, const py::object& ends, const py::object& cancel) {
+              const std::vector<NurbsPatch> given = patches_of(patches);
+              if (ends.is_none()) {
+                return wrap(unlocked([&] { return splinecore::capped(given, splinecore::open_ends(given)); }, cancel));
+              }
+              const std::vector<OpenEnd> chosen = ends_of(ends);
+              return wrap(unlocked([&] { return splinecore::capped(given, chosen); }, cancel));
+            }, py::arg("patches"), py::arg("ends") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
+            "The patches with a fill_rim() of each of these open_ends(), of all of them where none are given: (value, error), a list\n"
+            "of NurbsPatch and how far rims are from planes. Caps have the control points of the sides that they close, so that the\n"
+            "mesh of all has no open edges there; patches are cut where a rim has to be. Normals of what is closed point outwards.\n\n"
+            "InvalidShape as fill_rim(), or if a patch that has to be cut shares the side opposite to the end.");
+}
+
 }  // namespace
 
 void bind_fills(py::module_& module) {
@@ -84,6 +175,7 @@ void bind_fills(py::module_& module) {
             "without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from its\n"
             "middle;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
+  bind_rims(build);
 }
 
 }  // namespace bindings

@@ -16,6 +16,7 @@ namespace bindings {
 
 using splinecore::Closing;
 using splinecore::InvalidShape;
+using splinecore::LoftCorners;
 using splinecore::LoftEnd;
 using splinecore::LoftNeighbour;
 using splinecore::LoftOptions;
@@ -65,10 +66,37 @@ LoftStyle style_of(const py::object& word) {
                                            {"straight", LoftStyle::straight}});
 }
 
+/// The normal in a pole, and how fast the loft leaves it: (3,), or a pair of that and a number.
+void set_flat(LoftEnd& end, const py::object& value, const char* name) {
+  const bool is_pair = (py::isinstance<py::tuple>(value) || py::isinstance<py::list>(value)) && py::len(value) == 2;
+  if (!is_pair) {
+    end.flat = optional_vector(value, name);
+    return;
+  }
+  const auto pair = py::reinterpret_borrow<py::sequence>(value);
+  end.flat = vector_of(pair[0], name);
+  end.flat_speed = real(pair[1], name);
+}
+
+LoftCorners corners_of(const py::object& word) {
+  return chosen<LoftCorners>(word, "corners", {{"free", LoftCorners::free}, {"matched", LoftCorners::matched}});
+}
+
+void bind_corner_counts(py::module_& build) {
+  build.def("corner_counts", [](const py::object& sections, const py::object& align) {
+              const std::vector<LoftSection> through = sections_of(sections);
+              LoftOptions options;
+              options.is_aligned = boolean(align, "align");
+              return unlocked([&] { return splinecore::corner_counts(through, options); });
+            }, py::arg("sections"), py::kw_only(), py::arg("align") = true,
+            "How many corners each section has as loft() matches them: all breaks of the tangent if all sections have as many of\n"
+            "these, else those of more than 0.02 radians; none of a point. Where the numbers differ, none is matched.");
+}
+
 void bind_loft(py::module_& build) {
   build.def("loft", [](const py::object& sections, const py::object& style, const py::object& closed,
                        const py::object& degree, const py::object& align, const py::object& turned,
-                       const py::object& weights, const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
+                       const py::object& corners, const py::object& weights, const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
                        const py::object& knots, const py::object& start_tangent, const py::object& end_tangent,
                        const py::object& start_flat, const py::object& end_flat, const py::object& start_neighbour,
                        const py::object& end_neighbour, const py::object& cancel) {
@@ -79,20 +107,24 @@ void bind_loft(py::module_& build) {
               options.degree = integer(degree, "degree");
               options.is_aligned = boolean(align, "align");
               options.turned = turned_of(turned);
+              options.corners = corners_of(corners);
               options.weights = chosen<SectionWeights>(
                   weights, "weights", {{"scaled", SectionWeights::scaled}, {"kept", SectionWeights::kept}});
               options.tolerance = tolerance_of(tolerance);
               options.knot_distance = real(knot_distance, "knot_distance");
               options.parameters = optional_numbers(parameters, "parameters");
               options.knots = optional_numbers(knots, "knots");
-              options.start = {optional_vector(start_tangent, "start_tangent"), optional_vector(start_flat, "start_flat"),
-                               neighbour_of(start_neighbour, "start_neighbour")};
-              options.end = {optional_vector(end_tangent, "end_tangent"), optional_vector(end_flat, "end_flat"),
-                             neighbour_of(end_neighbour, "end_neighbour")};
+              options.start.tangent = optional_vector(start_tangent, "start_tangent");
+              options.start.neighbour = neighbour_of(start_neighbour, "start_neighbour");
+              set_flat(options.start, start_flat, "start_flat");
+              options.end.tangent = optional_vector(end_tangent, "end_tangent");
+              options.end.neighbour = neighbour_of(end_neighbour, "end_neighbour");
+              set_flat(options.end, end_flat, "end_flat");
               return wrap(unlocked([&] { return splinecore::loft(through, options); }, cancel));
             }, py::arg("sections"), py::kw_only(), py::arg("style") = "normal", py::arg("closed") = false,
             py::arg("degree") = 3, py::arg("align") = true, py::arg("turned") = py::none(),
-            py::arg("weights") = "scaled", py::arg("tolerance") = py::none(), py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
+            py::arg("corners") = "free", py::arg("weights") = "scaled", py::arg("tolerance") = py::none(),
+            py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
             py::arg("start_tangent") = py::none(), py::arg("end_tangent") = py::none(), py::arg("start_flat") = py::none(),
             py::arg("end_flat") = py::none(), py::arg("start_neighbour") = py::none(),
             py::arg("end_neighbour") = py::none(), py::arg("cancel") = py::none(),
@@ -102,11 +134,12 @@ void bind_loft(py::module_& build) {
             "style: 'normal' by distances, 'tight' by their roots, 'uniform', 'loose' where sections are rows of control\n"
             "points, 'straight' by segments. degree is that along v. align: directions and seams of sections are those of\n"
             "the section before; closed sections make the surface periodic. turned (n,): sections that run the other way than\n"
-            "that. weights, which each curve may have multiplied by any factor: 'scaled', divided by their mean, or 'kept'. With\n"
+            "that. corners: 'free', or 'matched', where all sections have as many, see corner_counts(): all have the same\n"
+            "parameters, the surface has an edge for each, and aligned closed sections begin at one. weights, which each curve may have multiplied by any factor: 'scaled', divided by their mean, or 'kept'. With\n"
             "a tolerance, a length, sections may be moved so far for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
             "are those along v.\n\n"
-            "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat (3,), the normal of the tangent plane in\n"
-            "a point; neighbour (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
+            "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat, the normal (3,) of the tangent plane\n"
+            "in a point, or (normal, speed) by that elsewhere; neighbour (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
             "InvalidShape if there are fewer than two sections, three where closed, an inner one is a point, or weights would\n"
             "not stay positive between sections; ToleranceNotReached.");
 }
@@ -138,6 +171,7 @@ void bind_patch_blend(py::module_& build) {
 void bind_lofts(py::module_& module) {
   py::module_ build = module.attr("build");
   bind_loft(build);
+  bind_corner_counts(build);
   bind_patch_blend(build);
 }
 

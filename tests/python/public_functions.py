@@ -81,6 +81,11 @@ FUNCTIONS = {
         0.1 * at.size),
     "build.fill": lambda at: build.fill([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
         ((0, 0), (1, 0)), ((1, 0), (1, 1, 1)), ((1, 1, 1), (0, 0)))]),
+    "build.corner_counts": lambda at: build.corner_counts([at.bezier, at.bezier.reversed()]),
+    "build.fill_rim": lambda at: build.fill_rim([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
+        ((0, 0), (1, 0)), ((1, 0), (1, 1)), ((1, 1), (0, 0)))]),
+    "build.open_ends": lambda at: build.open_ends([build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size)]),
+    "build.cap": lambda at: build.cap([build.cylinder(xyz(at, 1), (0, 0, 1), at.size, at.size)]),
     "build.catmull_clark": lambda at: build.catmull_clark(
         [xyz(at, *p) for p in ((0, 0), (1, 0), (1, 1), (0, 1), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))],
         [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (1, 2, 6, 5)]),

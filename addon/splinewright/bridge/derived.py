@@ -3,7 +3,7 @@
 import numpy as np
 
 from ..core import definition as definitions
-from ..core import transform
+from ..core import sections, transform
 from ..core.failures import AboutInputs, Refusal
 from . import placing, radii, read_polygons, recipes, shape, store
 from .native import read_native
@@ -54,11 +54,24 @@ def inputs_of(recipe, sources, space):
     """The definitions of objects as a recipe takes them. Raises Refusal."""
     if recipe.is_from_mesh:
         return [read_polygons.polygons_of(source, space.of(source)) for source in sources]
-    inputs = [definition_of(source, space.depsgraph) for source in sources]
     if recipe.is_beside:
-        return inputs
-    return [definition if i in recipe.own_spaces else _under(definition, _into(recipe, space, source))
-            for i, (definition, source) in enumerate(zip(inputs, sources))]
+        return [definition_of(source, space.depsgraph) for source in sources]
+    return [_input(recipe, i, source, space) for i, source in enumerate(sources)]
+
+
+def _input(recipe, number, source, space):
+    point = _point_of(source) if recipe.takes_points else None
+    if point is not None:
+        return sections.Point(tuple((_into(recipe, space, source) @ [*point, 1.0])[:3].tolist()))
+    definition = definition_of(source, space.depsgraph)
+    return definition if number in recipe.own_spaces else _under(definition, _into(recipe, space, source))
+
+
+def _point_of(source):
+    """Where in its own space an object is a place alone, as an empty is, and a curve of one point; else None."""
+    if source.type == 'EMPTY':
+        return 0.0, 0.0, 0.0
+    return None if shape.has_shape(source) else read_native.single_point(source)
 
 
 def _into(recipe, space, source):
@@ -82,12 +95,14 @@ def is_possible(ob):
 
 def can_make(recipe, ob):
     """Whether a recipe makes shapes from such an object."""
-    return read_polygons.is_mesh(ob) if recipe.is_from_mesh else is_possible(ob)
+    if recipe.is_from_mesh:
+        return read_polygons.is_mesh(ob)
+    return is_possible(ob) or recipe.takes_points and ob is not None and ob.type == 'EMPTY'
 
 
 def not_followed(source):
     """What of an object has no effect on what follows it: short sentences."""
-    if shape.has_shape(source):
+    if shape.has_shape(source) or source.type == 'EMPTY':
         return []
     return read_polygons.not_followed(source) if read_polygons.is_mesh(source) else read_native.not_followed(source)
 

@@ -183,7 +183,7 @@ def refresh(changed, depsgraph):
     if not state.followers:
         return
     turn = _Turn(depsgraph)
-    causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object))}
+    causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
     for data in _in_order():
         due = causes.intersection(_causes(data))
         is_alone = due == {data} and data not in changed

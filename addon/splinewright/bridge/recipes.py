@@ -133,7 +133,12 @@ def _values(group, recipe):
     if not store.is_group(stored):
         raise ValueError("its parameters are no group")
     return {parameter.name: _value(parameter, stored[parameter.name]) if parameter.name in stored.keys()
-            else parameter.default for parameter in recipe.parameters}
+            else _value_before(parameter) for parameter in recipe.parameters}
+
+
+def _value_before(parameter):
+    """Of a file that is older than the parameter."""
+    return parameter.default if parameter.before is None else parameter.before
 
 
 def _value(parameter, stored):
@@ -254,7 +259,7 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
     """Make a shape from objects from now on, as of Stored. result: the core.recipes.recipe.Result that it shows."""
     group = {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), **_achieved(result)}
     for i, (source, is_turned) in enumerate(itertools.zip_longest(sources, turned[:len(sources)], fillvalue=False)):
-        group.update({_of(_INPUT, i): source, _of(_WAS_SHAPE, i): store.has_definition(source.data)})
+        group.update({_of(_INPUT, i): source, _of(_WAS_SHAPE, i): bool(source.data) and store.has_definition(source.data)})
         group.update({_of(_TURNED, i): True} if is_turned else {})
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     store.assign(data, KEY, group)

@@ -1,5 +1,7 @@
 """Curves that a surface is made through: their order, and which of them run across others."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 from . import decimals
@@ -9,6 +11,12 @@ from .failures import AboutInputs, Refusal
 _PARTS = np.linspace(0.0, 1.0, 33)
 #: Curves nearer than this part of the size of them all meet.
 _MEET = 1e-6
+
+
+class Point(NamedTuple):
+    """An input that is a place alone, as an empty is."""
+
+    place: tuple                        # (x, y, z)
 
 
 def size_of(curves):
@@ -53,7 +61,7 @@ def with_new(order, count):
 
 
 def in_a_row(curves):
-    """The order in which curves lie one behind the other, as numbers from 0: from one of the two that are farthest apart, the
+    """The order in which curves, or points (3,), lie one behind the other, as numbers from 0: from one of the two that are farthest apart, the
     first curve if it is one of them, always to the nearest."""
     marks = np.array([_mark(curve) for curve in curves])
     apart = np.linalg.norm(marks[:, None] - marks[None], axis=-1)
@@ -67,8 +75,8 @@ def in_a_row(curves):
 
 
 def _mark(curve):
-    """(4,): the middle of a curve, and how far it lies about that: two circles about one point are two places."""
-    points = samples(curve)
+    """(4,): the middle of a curve, and how far it lies about that: two circles about one point are two places. A point is one."""
+    points = curve[None] if isinstance(curve, np.ndarray) else samples(curve)
     middle = points.mean(axis=0)
     return [*middle, np.linalg.norm(points - middle, axis=1).mean()]
 

@@ -11,7 +11,7 @@ def _rooms():
     from . import (continuity_panel, curve_tools, detour, drawing, formulas_panel, gizmos, handlers, hints, join_notice,
                    keymaps, measure_panel, menus, net_props, panels, patch_tools, pie, point_keys_panel, point_props, props, recipe_props,
                    scene_tolerance, sights_panel, sights_props, start_panel, toolbar)
-    from .operators import (add_curve, add_patch, add_recipe, along_here, at_sides, axis_from_edge, bake,
+    from .operators import (add_curve, add_patch, add_recipe, along_here, at_sides, axis_from_edge, bake, cap,
                             contour_through, curve_corners, curve_here, curve_join, curve_meeting, curve_through,
                             curve_verbs, divide, draw_contour, draw_curve, edit, edit_source, exchange, extract,
                             fineness, fit_curve, fit_patch, follow, formulas, from_objects, hold_joint, hold_seam,
@@ -21,7 +21,7 @@ def _rooms():
     operators = (add_curve, add_recipe, add_patch, exchange, edit, edit_source, inputs, set_knots, infinity, life, join, follow,
                  bake, from_objects, curve_through, contour_through, fit_curve, draw_curve, draw_contour, fit_patch,
                  divide, project_points, axis_from_edge, native, curve_verbs, curve_join, curve_corners, curve_meeting,
-                 patch_verbs, patch_join, parting, hold_joint, hold_seam, extract, fineness, formulas, pick_piece, insert_here,
+                 patch_verbs, patch_join, parting, cap, hold_joint, hold_seam, extract, fineness, formulas, pick_piece, insert_here,
                  curve_here, intersections, measure_here, measure_whole, pull_here, weight_here, along_here, key_points,
                  move_knot, strip_keys, at_sides, touching_circle, select_seen, self_test)
     return (props, net_props, recipe_props, point_props, sights_props, *operators, panels, curve_tools, patch_tools,

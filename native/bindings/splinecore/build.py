@@ -19,6 +19,7 @@ disc = _build.disc
 extend_patch = _build.extend_patch
 extrude = _build.extrude
 fill = _build.fill
+fill_rim = _build.fill_rim
 fillet_patches = _build.fillet_patches
 filleted = _build.filleted
 fillets = _build.fillets
@@ -28,9 +29,12 @@ join_curves = _build.join_curves
 join_patches = _build.join_patches
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
+cap = _build.cap
+corner_counts = _build.corner_counts
 loft = _build.loft
 match_patch = _build.match_patch
 network = _build.network
+open_ends = _build.open_ends
 offset_patch = _build.offset_patch
 osculating_polynomial = _build.osculating_polynomial
 patch_from_formulas = _build.patch_from_formulas
@@ -51,6 +55,7 @@ __all__ = [
     "blend",
     "blend_patches",
     "c2_pair",
+    "cap",
     "catmull_clark",
     "catmull_rom",
     "chain_from_polygon",
@@ -58,6 +63,7 @@ __all__ = [
     "cone",
     "contour",
     "coons",
+    "corner_counts",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",
@@ -65,6 +71,7 @@ __all__ = [
     "extend_patch",
     "extrude",
     "fill",
+    "fill_rim",
     "fillet_patches",
     "filleted",
     "fillets",
@@ -78,6 +85,7 @@ __all__ = [
     "match_patch",
     "network",
     "offset_patch",
+    "open_ends",
     "osculating_polynomial",
     "patch_from_formulas",
     "pipe",

@@ -27,6 +27,7 @@ __all__ = [
     "blend",
     "blend_patches",
     "c2_pair",
+    "cap",
     "catmull_clark",
     "catmull_rom",
     "chain_from_polygon",
@@ -34,6 +35,7 @@ __all__ = [
     "cone",
     "contour",
     "coons",
+    "corner_counts",
     "curve_from_formulas",
     "curve_on_patch",
     "cylinder",
@@ -41,6 +43,7 @@ __all__ = [
     "extend_patch",
     "extrude",
     "fill",
+    "fill_rim",
     "fillet_patches",
     "filleted",
     "fillets",
@@ -54,6 +57,7 @@ __all__ = [
     "match_patch",
     "network",
     "offset_patch",
+    "open_ends",
     "osculating_polynomial",
     "patch_from_formulas",
     "pipe",
@@ -240,6 +244,7 @@ def loft(
     degree: int = 3,
     align: bool = True,
     turned: Sequence[bool] | None = None,
+    corners: Literal["free", "matched"] = "free",
     weights: Literal["scaled", "kept"] = "scaled",
     tolerance: float | None = None,
     knot_distance: float = 0.0,
@@ -247,12 +252,13 @@ def loft(
     knots: ArrayLike | None = None,
     start_tangent: ArrayLike | None = None,
     end_tangent: ArrayLike | None = None,
-    start_flat: ArrayLike | None = None,
-    end_flat: ArrayLike | None = None,
+    start_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
+    end_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
     start_neighbour: _Neighbour | None = None,
     end_neighbour: _Neighbour | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
+def corner_counts(sections: Sequence[_Curve | ArrayLike], *, align: bool = True) -> list[int]: ...
 def blend_patches(
     a: _Patch,
     side_a: _Border,
@@ -351,6 +357,16 @@ def fill(
     angle: float = 1e-4,
     cancel: Callable[[], object] | None = None,
 ) -> Filling: ...
+def fill_rim(
+    sides: Sequence[_Curve], *, cancel: Callable[[], object] | None = None
+) -> Approximation[list[NurbsPatch]]: ...
+def open_ends(patches: Sequence[_Patch]) -> list[list[tuple[int, _Border]]]: ...
+def cap(
+    patches: Sequence[_Patch],
+    ends: Sequence[Sequence[tuple[int, _Border]]] | None = None,
+    *,
+    cancel: Callable[[], object] | None = None,
+) -> Approximation[list[NurbsPatch]]: ...
 def fillet_patches(
     first: _Patch,
     first_side: _Border,

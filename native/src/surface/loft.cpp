@@ -44,6 +44,9 @@ void require_end(const LoftEnd& end, bool is_at_pole, const char* name) {
       throw InvalidShape("the tangent or normal at the " + which + " has no direction");
     }
   }
+  if (!(end.flat_speed > 0.0 && std::isfinite(end.flat_speed))) {
+    throw InvalidShape("flat_speed = " + text_of(end.flat_speed) + " at the " + which + ": above 0 is expected");
+  }
   if (!end.neighbour) return;
   const LoftNeighbour& neighbour = *end.neighbour;
   if (neighbour.continuity < 0 || neighbour.continuity > 3) {
@@ -100,7 +103,7 @@ std::vector<std::vector<double>> leaving(const LoftEnd& end, const LeavingRows& 
                                          const SectionRow& beside, double speed, double step) {
   constexpr double kRoom = 0.25;
   if (end.tangent) return {numbers_of(scaled(std::abs(speed), weighted(own.near, *end.tangent)))};
-  if (end.flat) return {numbers_of(scaled(speed, along_plane(own, beside, *end.flat)))};
+  if (end.flat) return {numbers_of(scaled(end.flat_speed * speed, along_plane(own, beside, *end.flat)))};
   std::vector<std::vector<double>> rows;
   if (out.empty()) return rows;
   const double given = speed_of(own.near, out[0]);

@@ -12,6 +12,7 @@
 #include "closes.hpp"
 #include "rebuild_together.hpp"
 #include "ribbon.hpp"
+#include "section_corners.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/compatible.hpp"
@@ -79,12 +80,43 @@ NearSpace space_of(const std::vector<Bundle>& bundles, std::span<const LoftSecti
   return NearSpace(all);
 }
 
-void align(std::vector<Bundle>& bundles, const NearSpace& space) {
+std::vector<NurbsCurve> near_sections(const std::vector<Bundle>& bundles, const NearSpace& space) {
   std::vector<NurbsCurve> near;
   for (const Bundle& bundle : bundles) near.push_back(near_curve(bundle.rows[0], space));
-  const std::vector<SectionTurn> turns = turns_of(near);
+  return near;
+}
+
+/// @param corners  that are matched, if any are
+void align(std::vector<Bundle>& bundles, const NearSpace& space, const std::optional<SectionCorners>& corners) {
+  const std::vector<NurbsCurve> near = near_sections(bundles, space);
+  const std::vector<SectionTurn> turns = corners ? turns_by_corners(near, *corners) : turns_of(near);
   for (std::size_t i = 0; i < bundles.size(); ++i) {
     for (NurbsCurve& row : bundles[i].rows) row = turned(row, turns[i]);
+  }
+}
+
+/// Corners of sections that can be matched.
+std::optional<SectionCorners> corners_to_match(const std::vector<Bundle>& bundles, const NearSpace& space,
+                                               const LoftOptions& options) {
+  if (options.corners == LoftCorners::free) return {};
+  SectionCorners found = section_corners(near_sections(bundles, space), options.is_aligned);
+  return found.are_as_many() ? std::optional(std::move(found)) : std::nullopt;
+}
+
+/// All rows with their corners at the same parameters, as they run now.
+void match_corners(std::vector<Bundle>& bundles, const NearSpace& space) {
+  const bool are_periodic = std::ranges::all_of(bundles, [](const Bundle& bundle) { return bundle.rows[0].periodic(); });
+  for (Bundle& bundle : bundles) {
+    for (NurbsCurve& row : bundle.rows) {
+      if (!are_periodic && row.periodic()) row = clamped(row);
+    }
+  }
+  const std::vector<NurbsCurve> near = near_sections(bundles, space);
+  const SectionCorners corners = section_corners(near, false);
+  if (!corners.are_as_many()) return;
+  const std::vector<double> wanted = mean_corners(near, corners);
+  for (std::size_t i = 0; i < bundles.size(); ++i) {
+    for (NurbsCurve& row : bundles[i].rows) row = repaced(row, corners.at[i], wanted, near[0].domain());
   }
 }
 
@@ -227,14 +259,28 @@ SectionRow pole_row(const glm::dvec3& pole, const SectionRow& beside, const Near
 
 }  // namespace
 
+std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, const LoftOptions& options) {
+  std::vector<Bundle> bundles = bundles_of(sections, options);
+  for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
+  const auto near = near_sections(bundles, space_of(bundles, sections));
+  std::vector<std::size_t> counts;
+  for (const auto& corners : section_corners(near, options.is_aligned).at) counts.push_back(corners.size());
+  const auto is_pole_at = [&](bool is_end) { return !sections.empty() && is_pole(is_end ? sections.back() : sections.front()); };
+  if (is_pole_at(false)) counts.insert(counts.begin(), 0);
+  if (is_pole_at(true)) counts.push_back(0);
+  return counts;
+}
+
 LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOptions& options) {
   std::vector<Bundle> bundles = bundles_of(sections, options);
   for (Bundle& bundle : bundles) bundle = closed_up(std::move(bundle));
   const NearSpace space = space_of(bundles, sections);
-  if (options.is_aligned) align(bundles, space);
+  const std::optional<SectionCorners> corners = corners_to_match(bundles, space, options);
+  if (options.is_aligned) align(bundles, space, corners);
+  turn(bundles);
+  if (corners) match_corners(bundles, space);
   const bool is_turned = std::ranges::any_of(options.turned, std::identity());
   if (options.is_aligned && options.closing == Closing::closed && !is_turned) close(bundles, space);
-  turn(bundles);
   double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
   error += make_compatible(bundles, options.knot_distance);
   for (Bundle& bundle : bundles) {

@@ -58,6 +58,15 @@ def read(ob, depsgraph=None):
                    tuple(materials[i] for i in kept), dropped)
 
 
+def single_point(ob):
+    """(x, y, z) of the one point that a CURVE object has, or None."""
+    if ob.type != 'CURVE' or len(ob.data.splines) != 1:
+        return None
+    spline = ob.data.splines[0]
+    points = spline.bezier_points if spline.type == 'BEZIER' else spline.points
+    return tuple(points[0].co[:3]) if len(points) == 1 else None
+
+
 def _joined(pieces, is_surface):
     if len(pieces) < 2:
         return pieces[0] if pieces else None

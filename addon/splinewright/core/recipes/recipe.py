@@ -20,6 +20,7 @@ class Parameter:
     most: float = 1e9
     unit: str = 'NONE'                  # as Blender's properties: 'LENGTH', 'ROTATION'
     choices: tuple = ()                 # of texts: (value, label, description)
+    before: object = None               # its value in files from before there was such a parameter, if not the default
     follows: str = ""                   # the parameter whose value it has where that is given and its own is not
     of_scene: bool = False              # it is the scene's tolerance where none is given
 
@@ -55,6 +56,7 @@ class Recipe:
                                         # points: "one curve"; make() takes a list of their Definitions
     has_more: bool = False              # it takes any number of what the last of `inputs` says, in an order that can be changed
     is_from_mesh: bool = False          # its input is a mesh that shows no shape: make() takes core.polygons.Polygons
+    takes_points: bool = False          # an empty is an input, too: make() takes a core.sections.Point for it
     has_turns: bool = False             # each can be turned: make() takes a list of truths as `turned`
     takes_spaces: bool = False          # make() takes the matrices (4, 4) of the inputs, where those lie, as `spaces`
     arranged: Callable | None = None    # (inputs) -> their order, as numbers from 0, in which they are taken at first

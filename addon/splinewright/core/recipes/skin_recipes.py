@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, neighbours, rails, sections, verbs
-from ..failures import AboutInputs, Refusal
+from .. import decimals, holes, lofts, neighbours, rails, rims, sections, verbs
+from ..failures import Refusal
 from ..library import sc
+from . import capping
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
@@ -20,7 +21,14 @@ _STYLES = (
     ("uniform", "Uniform", "Through the sections, paced evenly"),
     ("loose", "Loose", "Near the sections, as a curve is near its control points"),
     ("straight", "Straight", "By segments from section to section"))
+_LEAVING = (
+    ("free", "Free", "As the sections have it; from a surface at its side alone"),
+    ("normal", "Normal", "At right angles to the plane of the section"),
+    ("round", "Round", "In a point, with a tangent plane there"),
+    ("G1", "Tangent", "With the tangent planes of the surface that comes before the first curve, or after the last one"),
+    ("G2", "Curvature", "With the curvatures of that surface, too"))
 _CAPS = (("none", "None", "Open ends"), ("flat", "Flat", "Discs"), ("round", "Round", "Half spheres"))
+_CAPPED = (("both", "Both", "Both ends"), ("start", "Start", "Where it starts"), ("end", "End", "Where it ends"))
 _FRAMES = (("minimal", "Minimal", "It turns about the rail no more than it must"),
            ("upright", "Upright", "Its y stays as near to Z as it can"),
            ("parallel", "Parallel", "It keeps its direction"))
@@ -42,23 +50,25 @@ def _within(approximation):
     return Result(approximation.value, approximation.error)
 
 
-def _patches_within(approximation):
-    patches = approximation.value
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), approximation.error)
+def _loft(inputs, style, closed, align, match_corners, simple, tolerance, start, start_strength, end, end_strength, caps, turned,
+          cancel=None):
+    found = [lofts.section(definition, i, _one_curve, is_turned) for i, (definition, is_turned) in enumerate(zip(inputs, turned))]
+    made, said = lofts.loft(found, lofts.End(start, start_strength), lofts.End(end, end_strength), align, match_corners,
+                            style=style, closed=closed, tolerance=tolerance if simple else None, cancel=cancel)
+    return capping.result([made.value], caps, made.error, said, cancel)
 
 
-def _loft(inputs, style, closed, align, tolerance, simple, turned, cancel=None):
-    curves = [_one_curve(definition) for definition in inputs]
-    are_closed = list(map(sections.is_closed, curves))
-    if len(set(are_closed)) > 1:
-        raise AboutInputs("{} is closed and {} is open: a loft takes one kind or the other", are_closed.index(True),
-                          are_closed.index(False))
-    return _within(sc.build.loft(curves, style=style, closed=closed, align=align, turned=turned,
-                                 tolerance=tolerance if simple else None, cancel=cancel))
+def _loft_order(inputs):
+    return lofts.order([lofts.section(definition, i, _one_curve) for i, definition in enumerate(inputs)])
 
 
-def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, spaces, turned, factor=None,
-           cancel=None):
+def _first_ends(inputs):
+    """It goes on from surfaces that are selected, too."""
+    order = _loft_order(inputs)
+    return {name: 'G1' for name, at in (('start', 0), ('end', -1)) if getattr(inputs[order[at]], 'has_curves', True) is False}
+
+
+def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, caps, spaces, turned, factor=None, cancel=None):
     rail, *profiles = (_one_curve(definition) for definition in inputs)
     if turned[0]:
         rail, factor = rail.reversed(), factor.reversed() if own_radius else None
@@ -67,23 +77,28 @@ def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, space
         profiles, at = rails.upright(profiles, spaces[1:]), None
     else:
         profiles, at = rails.along(rail, profiles, frame)
-    return _within(sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor,
-                                  tolerance=tolerance, cancel=cancel))
+    made = sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor, tolerance=tolerance,
+                          cancel=cancel)
+    return capping.result([made.value], caps, made.error, cancel=cancel)
 
 
-def _two_rails(inputs, height, tolerance, turned, cancel=None):
+def _two_rails(inputs, height, tolerance, caps, turned, cancel=None):
     first, second, *profiles = (curve.reversed() if is_turned else curve
                                 for curve, is_turned in zip(map(_one_curve, inputs), turned))
     second = rails.running_with(first, second)
     profiles, at = rails.between(first, second, profiles)
-    return _within(sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel))
+    made = sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel)
+    return capping.result([made.value], caps, made.error, cancel=cancel)
 
 
-def _pipe(inputs, radius, end_radius, own_radius, caps, tolerance, factor=None, cancel=None):
+def _pipe(inputs, radius, end_radius, own_radius, caps, capped, tolerance, factor=None, cancel=None):
     axis = _one_curve(inputs[0])
     start, end = axis.domain
     radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
-    return _patches_within(sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel))
+    made = sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel)
+    left_out = {'both': (), 'start': (2,), 'end': (1,)}[capped]
+    patches = [patch for i, patch in enumerate(made.value) if i not in left_out]
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), made.error)
 
 
 def _first_radii(inputs):
@@ -106,9 +121,33 @@ def _network(inputs, tolerance, gap, cancel=None):
 
 def _filling(inputs, continuity, other, tolerance, cancel=None):
     shapes = [[_one_curve(definition)] if definition.has_curves else verbs.pieces_of(definition) for definition in inputs]
+    curves = [pieces[0] for pieces, definition in zip(shapes, inputs) if definition.has_curves]
+    normal = rims.normal_of(curves) if len(curves) == len(shapes) else None
+    if normal is None:
+        return _of_sides(_sides_around(shapes, continuity, other, tolerance), tolerance, cancel)
+    # What few sides give is kept where it is as it should be.
+    refused = None
+    try:
+        found = _of_sides(_sides_around(shapes, continuity, other, tolerance), tolerance, cancel)
+        patches = [found.value] if hasattr(found.value, 'domain') else [found.value[i] for i in range(len(found.value))]
+        if rims.is_good(patches, found.error, curves, normal):
+            return found
+    except (Refusal, sc.InvalidShape, sc.ToleranceNotReached) as error:
+        refused = error
+    try:
+        patches = list(rims.filled(curves, cancel).value)
+    except sc.InvalidShape as error:
+        raise refused or Refusal(f"{error}: nothing within it would be plane without a fold") from error
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), 0.0, "plane")
+
+
+def _sides_around(shapes, continuity, other, tolerance):
     is_one = len(shapes) == 1 and len(shapes[0]) == 1
-    sides = (holes.of_one(shapes[0], continuity, other) if is_one
-             else holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance))
+    return (holes.of_one(shapes[0], continuity, other) if is_one
+            else holes.around(holes.sides_of(shapes, continuity), len(shapes), tolerance))
+
+
+def _of_sides(sides, tolerance, cancel):
     found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
     said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
@@ -130,10 +169,6 @@ def _gone_on(filling, continuities):
         yield f"curvatures differ by {decimals.text_of(bend, 2) if bend > 1e-9 else '0'}"
 
 
-def _in_a_row(inputs):
-    return sections.in_a_row([_one_curve(definition) for definition in inputs])
-
-
 def _along_the_rail(inputs):
     rail, *profiles = (_one_curve(definition) for definition in inputs)
     return [0, *(1 + i for i in rails.order_along(rail, profiles))]
@@ -143,34 +178,47 @@ def _rails_first(inputs):
     return rails.rails_first([_one_curve(definition) for definition in inputs])
 
 
+def _ends_of_loft():
+    """Parameters: how it starts and how it ends."""
+    for name, label, what in (("start", "Start", "begins"), ("end", "End", "ends")):
+        yield Parameter(name, label, f"How it {what}", "free", choices=_LEAVING)
+        yield Parameter(f"{name}_strength", f"{label} Strength", f"How far it follows that where it {what}", 1.0, 1e-3, 100.0)
+
+
 FROM_CURVES = (
-    Recipe("loft", "Loft", "The surface through sections, curves in any order and direction; it follows them",
+    Recipe("loft", "Loft",
+           "The surface through sections, curves in any order and direction; it goes on from surfaces beside the first and the last "
+           "one, and closes in points; it follows them",
            (Parameter("style", "Style", "How it runs from section to section", "normal", choices=_STYLES),
             Parameter("closed", "Closed", "Go on from the last section to the first", False),
             Parameter("align", "Align", "Find out how each section runs, and where a closed one begins", True),
+            Parameter("match_corners", "Match Corners", "Where all sections have as many corners, let an edge run from each corner to "
+                      "that of the next section", True, before=False),
             Parameter("simple", "Few Points", "Let sections give way within the tolerance, for as few points as that allows", False),
-            _TOLERANCE), _loft, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True,
-           has_turns=True, is_measured=True, takes_cancel=True, arranged=_in_a_row),
+            _TOLERANCE, *_ends_of_loft(), capping.PARAMETER),
+           _loft, is_surface=True, resolution=8, inputs=("one curve", "more curves, surfaces or points"), has_more=True,
+           takes_points=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_loft_order, first_values=_first_ends),
     Recipe("sweep", "Sweep", "The surface of sections that move along a rail, the active curve; it follows them",
            (_PLACED, Parameter("frame", "Frame", "How it turns with the rail", "minimal", choices=_FRAMES),
             Parameter("end_scale", "End Scale", "Size at the end of the rail by that at its start", 1.0, 1e-3, 1e3),
             Parameter("twist", "Twist", "Turn about the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
                       unit='ROTATION'),
             Parameter("own_radius", "Radius of Curve", "Sections are as much larger as the radius of the rail's points says, which "
-                      "Alt+S changes", False), _TOLERANCE),
+                      "Alt+S changes", False), _TOLERANCE, capping.PARAMETER),
            _sweep, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, has_turns=True,
            takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail, fixed=1,
            radius_asked="own_radius"),
     Recipe("two_rails", "Sweep on Two Rails",
            "The surface of sections that run from one rail, the active curve, to a second one; it follows them",
            (Parameter("height", "Height", "Of sections where the rails come nearer or part", "scaled", choices=_HEIGHTS),
-            _TOLERANCE), _two_rails, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more curves"),
+            _TOLERANCE, capping.PARAMETER), _two_rails, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more curves"),
            has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first, fixed=2),
     Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
            (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At its end", 0.1, 1e-6, unit='LENGTH', follows="radius"),
             Parameter("own_radius", "Radius of Curve", "Times the radius of the curve's points, which Alt+S changes", False),
-            Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS), _TOLERANCE),
+            Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS),
+            Parameter("capped", "Capped", "Which ends caps close", "both", choices=_CAPPED), _TOLERANCE),
            _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
            first_values=_first_radii, radius_asked="own_radius"),
 )

@@ -7,6 +7,7 @@ import numpy as np
 from .. import definition as definitions
 from ..failures import Refusal
 from ..library import sc
+from . import capping
 from .curve_recipes import constants_of, formula_of
 from .recipe import Result, Parameter, Recipe
 
@@ -81,9 +82,9 @@ def _patches(patches):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
-def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, frame=None):
+def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, caps, frame=None):
     through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
-    return _patches([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])])
+    return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])], caps)
 
 
 def axis_of(axis, offset, frame=None):
@@ -103,8 +104,8 @@ def _suggested_axis(inputs):
     return {'axis': 'y' if height <= _FLAT * width else 'z'}
 
 
-def _extrude(inputs, x, y, z):
-    return _patches([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs[0])])
+def _extrude(inputs, x, y, z, caps):
+    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs[0])], caps)
 
 
 def _ruled(inputs, turned):
@@ -141,12 +142,12 @@ FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
            (AXIS, _START, _SWEEP, *(
                Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
-                         unit='LENGTH') for name in _AXES)), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
+                         unit='LENGTH') for name in _AXES), capping.PARAMETER), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
            frame="About", first_values=_suggested_axis),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
-           tuple(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
-                 for name, default in (("x", 0.0), ("y", 0.0), ("z", 1.0))),
+           (*(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
+              for name, default in (("x", 0.0), ("y", 0.0), ("z", 1.0))), capping.PARAMETER),
            _extrude, is_surface=True, resolution=12, inputs=("one curve",)),
     Recipe("ruled", "Ruled Surface", "The segments between two curves; it follows when they are edited",
            (Parameter("turned", "Turn One", "Let the second curve run the other way", False),), _ruled, is_surface=True,

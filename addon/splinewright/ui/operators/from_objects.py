@@ -155,9 +155,9 @@ def _sources(context, recipe):
 
 
 def is_wanted(ob, what):
-    """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, or either."""
-    kind = "curve" if ob.type == 'CURVE' else "surface"
-    return kind in what or not ("curve" in what or "surface" in what)
+    """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, a point, or any."""
+    kind = {'CURVE': "curve", 'EMPTY': "point"}.get(ob.type, "surface")
+    return kind in what or not any(word in what for word in ("curve", "surface", "point"))
 
 
 def _beside(context):

@@ -100,9 +100,10 @@ class SPLINEWRIGHT_OT_add_inputs(_OnInputs, bpy.types.Operator):
 
     def changed(self, context, inputs):
         known = {source for source, _ in inputs}
-        wanted = recipes.of(context.object.data).wanted_at(len(inputs))
+        recipe = recipes.of(context.object.data)
+        wanted = recipe.wanted_at(len(inputs))
         new = [ob for ob in context.selected_objects
-               if ob != context.object and ob not in known and derived.is_possible(ob) and is_wanted(ob, wanted)]
+               if ob != context.object and ob not in known and derived.can_make(recipe, ob) and is_wanted(ob, wanted)]
         if not new:
             raise Refusal("select others beside it that are not in the list")
         both = inputs + [(ob, False) for ob in new]

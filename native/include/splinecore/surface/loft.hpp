@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -32,6 +33,12 @@ enum class SectionWeights {
   kept,    ///< as they are given
 };
 
+/// What becomes of corners of sections.
+enum class LoftCorners {
+  free,     ///< they lie where the parameters of each section have them: the surface has a knot for each
+  matched,  ///< where all sections have as many, all have the same parameters: the surface has an edge for each
+};
+
 /// A patch that a loft goes on from at its first or last section, which is a side of that patch.
 struct LoftNeighbour {
   NurbsPatch patch;
@@ -45,6 +52,7 @@ struct LoftEnd {
   std::optional<glm::dvec3> tangent;        ///< where it goes, for all points; of length 1 as fast as elsewhere
   std::optional<glm::dvec3> flat;           ///< in a pole: the normal of its tangent plane there
   std::optional<LoftNeighbour> neighbour;   ///< whose side is a section before the first, or after the last one
+  double flat_speed = 1.0;                  ///< along that plane, by that of the loft elsewhere
 };
 
 struct LoftOptions {
@@ -53,6 +61,7 @@ struct LoftOptions {
   int degree = 3;           ///< along v, less where the sections are too few
   bool is_aligned = true;   ///< directions and seams of sections are those of the section before
   std::vector<bool> turned;  ///< for each section, whether it runs the other way than that; empty: none does
+  LoftCorners corners = LoftCorners::free;
   SectionWeights weights = SectionWeights::scaled;
   double knot_distance = 0.0;       ///< knots of sections that are nearer, as a part of the domain, are taken for one
   std::optional<double> tolerance;  ///< sections may be moved so far, for as few knots as that allows
@@ -65,7 +74,9 @@ struct LoftOptions {
 /// The surface through sections: u along them, v from one to the next (skinning: The NURBS Book, 10.3; row S20).
 ///
 /// Sections are made compatible(): exactly, unless a tolerance or a distance of knots allows less. Closed ones become
-/// periodic, if all are. Homogeneous control points are interpolated along v, so that rational sections are exact; where
+/// periodic, if all are. Matched corners are first given the same parameters, the means of those that the sections have: pieces
+/// between them run at an even multiple of their pace, closed sections that are aligned begin at a corner, and the surface has
+/// all copies of a knot there. Where corner_counts() differ none is matched. Homogeneous control points are interpolated along v, so that rational sections are exact; where
 /// all have the same weights, these are those of the surface everywhere. Two sections alone are joined by segments, or by
 /// one span of the degree that the conditions at the ends ask for.
 /// @returns the surface, and how far it is from the sections: how far these were moved, and by how much rounding makes it miss
@@ -76,6 +87,11 @@ struct LoftOptions {
 ///         than 2^20 control points, or degree and parameters take the surface so far away between sections that it would miss
 ///         one by more than the tolerance, or 2^-20 of the size; ToleranceNotReached.
 Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
+
+/// How many corners each section of a loft has, those of neighbours' sides among them, where they are to be matched: all breaks
+/// of the tangent if all have as many of these, else those of more than 0.02 radians. A point has none; the seam of closed
+/// sections that are aligned counts as any other place.
+std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
 /// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbours, one
 /// span of degree continuity + continuity + 1 across. Row S21.

@@ -1,0 +1,94 @@
+"""Caps for the open ends of shapes of patches (lecture row S20)."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from . import places, sewing, verbs
+from .failures import Refusal
+from .library import sc
+
+#: Which open ends are closed.
+ENDS = {'ALL': "all of them", 'SHORTEST': "the shortest one", 'LONGEST': "the longest one"}
+
+
+class Capped(NamedTuple):
+    """What became of a definition."""
+
+    changed: verbs.Changed
+    count: int                          # of ends that were closed
+    bend: float                         # how far a rim is from a plane
+    is_turned: bool                     # whether all normals were turned outwards
+
+
+def capped(definition, ends, cancel=None):
+    """The Capped definition of patches, in which open ends have caps that share their points. ends: one of ENDS. Raises Refusal or
+    an error of the library."""
+    if definition.has_curves:
+        raise Refusal("it is made of curves: a surface is needed")
+    before = verbs.pieces_of(definition)
+    patches = [patch.to_nurbs() for patch in before]
+    found = sc.build.open_ends(patches)
+    if not found:
+        raise Refusal("it has no open end")
+    if _is_flat(patches):
+        raise Refusal("it lies in one plane: a cap would lie on it")
+    chosen = sorted(found, key=lambda end: sum(patches[i].boundary(side).length(tolerance=1e-6) for i, side in end))
+    chosen = {'ALL': found, 'SHORTEST': chosen[:1], 'LONGEST': chosen[-1:]}[ends]
+    made, bend = sc.build.cap(patches, chosen, cancel=cancel)
+    is_turned = not _are_parts(made[0], patches[0])
+    own = [patch.reversed('u') for patch in made] if is_turned else made
+    after, parents, lie = _parts_of(own, patches, is_turned)
+    if len(after) == len(before) and not is_turned:
+        after = list(before)
+    count, beside = len(after), chosen[0][0][0]
+    after += made[count:]
+    parents += [beside] * (len(made) - count)
+    lie += [places.Place((), ())] * (len(made) - count)
+    joined = [(i, k) for i in range(len(after)) for k in range(max(i + 1, count), len(after))]
+    joined += [(i, i + 1) for i in range(count - 1) if parents[i] == parents[i + 1]]
+    changed = verbs.Changed(sewing.sewn(definition, after, parents, joined), tuple(parents), 0.0, tuple(lie))
+    return Capped(changed, len(chosen), bend, is_turned)
+
+
+def _is_flat(patches):
+    points = np.concatenate([patch.points.reshape(-1, 3) for patch in patches])
+    spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+    return bool(spread[2] <= 1e-9 * spread[0])
+
+
+def _parts_of(made, patches, is_turned):
+    """(the patches as they are made, the numbers of those they came of, their core.places.Places): each is whole or cut in parts."""
+    after, parents, lie = [], [], []
+    at = 0
+    for number, patch in enumerate(patches):
+        first = made[at]
+        axis = 'u' if first.domain[0] != patch.domain[0] or first.periodic[0] != patch.periodic[0] else 'v'
+        (start, end), origin = patch.domain['uv'.index(axis)], first.domain['uv'.index(axis)][0]
+        length, reached = end - start, origin
+        while reached < origin + length * (1.0 - 1e-9):
+            part = made[at]
+            low, high = part.domain['uv'.index(axis)]
+            stretches = places.opened(places.WHOLE, (origin - start) / length) if origin != start else places.WHOLE
+            stretches = places.cut(stretches, (low - origin) / length, min(1.0, (high - origin) / length))
+            if high - low >= length * (1.0 - 1e-9):
+                stretches = places.WHOLE
+            place = places.Place(stretches, places.WHOLE) if axis == 'u' else places.Place(places.WHOLE, stretches)
+            if is_turned:
+                part, place = part.reversed('u'), place._replace(u=places.reversed_(place.u))
+            after.append(part)
+            parents.append(number)
+            lie.append(place)
+            reached, at = high, at + 1
+    return after, parents, lie
+
+
+def _are_parts(part, patch):
+    """Whether a patch lies where a part of its domain does on another one."""
+    u, v = (0.37 * start + 0.63 * end for start, end in part.domain)
+    (start, end), period = patch.domain[0], patch.domain[0][1] - patch.domain[0][0]
+    there = u if start <= u <= end else u - period
+    if not start <= there <= end:
+        return False
+    size = abs(patch.points[..., :3]).max()
+    return bool(abs(part.evaluate(u, v) - patch.evaluate(there, v)).max() <= 1e-9 * size)

@@ -1,0 +1,68 @@
+"""Cap: the open ends of surfaces are closed."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ...bridge import keyed, recipes, replacing
+from ...core import caps, decimals
+from ...core.failures import Refusal
+from . import reports
+from .selected import OnSelected
+
+
+class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
+    bl_idname = "splinewright.cap"
+    bl_label = "Cap"
+    bl_description = ("Close open ends of surfaces by patches that share their points; the normals of what is closed then point "
+                      "outwards. What follows its curves gets Caps in its panel, and goes on following")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    needs, done = "Select a shape of patches", "Capped {}"
+    fits = staticmethod(replacing.is_patch_shape)
+    has_settings = True
+
+    ends: EnumProperty(name="Ends", description="Which open ends are closed", items=(
+        ('ALL', "All", "All open ends"), ('SHORTEST', "Shortest", "The one with the shortest rim"),
+        ('LONGEST', "Longest", "The one with the longest rim")))
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
+
+    def work(self, context, ob):
+        if recipes.follows(ob.data):
+            return self._set(ob.data)
+        before = replacing.read(ob.data)
+        found = caps.capped(before, self.ends)
+        replacing.put(ob.data, before, found.changed)
+        return found
+
+    def _set(self, data):
+        """Caps in the panel of what is made from other objects. Raises Refusal where there are none."""
+        recipe = recipes.of(data)
+        choices = next((parameter.choices for parameter in recipe.parameters if parameter.name == 'caps'), ())
+        if not choices:
+            raise Refusal("it follows other objects: use Make Editable first")
+        if self.ends != 'ALL':
+            raise Refusal("it follows its curves: which end is closed says Caps in its panel")
+        wanted = 'both' if 'both' in (choice[0] for choice in choices) else 'flat'
+        if recipes.parameters(data)['caps'] == wanted:
+            raise Refusal("it has caps already")
+        keyed.set_parameters(data, {'caps': wanted})
+
+    def said(self, outcomes):
+        found = [outcome for outcome in outcomes.values() if outcome is not None]
+        more = []
+        if found:
+            count = sum(one.count for one in found)
+            more.append(f"{count} end{'s' if count > 1 else ''} closed")
+            bend = max(one.bend for one in found)
+            more += [f"a rim is up to {decimals.text_of(bend, 2)} off a plane: its cap is not flat"] if bend > 0.0 else []
+            more += ["normals turned outwards"] if any(one.is_turned for one in found) else []
+        return reports.Said(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.row().prop(self, "ends", expand=True)
+        self.draw_result()
+
+
+CLASSES = (SPLINEWRIGHT_OT_cap,)

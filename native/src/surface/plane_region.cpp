@@ -1,0 +1,273 @@
+#include "plane_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "seen_point.hpp"
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using Loop = std::vector<PartSide>;
+using Line = std::vector<glm::dvec2>;
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+double dot(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.x + a.y * b.y; }
+
+double area_of(const Line& line) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < line.size(); ++i) sum += cross(line[i] - line[0], line[(i + 1) % line.size()] - line[0]);
+  return 0.5 * sum;
+}
+
+/// Whether two segments have a point in common.
+bool do_touch(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+  const double c_side = cross(b - a, c - a);
+  const double d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c);
+  const double b_side = cross(d - c, b - c);
+  if (c_side == 0.0 && d_side == 0.0) {
+    const double from = dot(c - a, b - a);
+    const double to = dot(d - a, b - a);
+    return std::max(from, to) >= 0.0 && std::min(from, to) <= dot(b - a, b - a);
+  }
+  return c_side * d_side <= 0.0 && a_side * b_side <= 0.0;
+}
+
+/// A chord from a corner of a loop to a later one.
+struct RegionChord {
+  std::size_t from;
+  std::size_t to;
+  double length;
+};
+
+/// Both loops that a chord leaves, the first one that from its beginning to its end.
+struct Halves {
+  Loop first;
+  Loop second;
+};
+
+class RegionCutter {
+ public:
+  explicit RegionCutter(std::vector<RegionSide> sides) : made_{std::move(sides), {}} {
+    for (const RegionSide& side : made_.sides) lines_.push_back(line_of(side));
+  }
+
+  std::optional<CutRegion> cut() && {
+    Loop loop;
+    for (std::size_t i = 0; i < made_.sides.size(); ++i) loop.push_back({i, false});
+    const std::optional<glm::dvec2> whole = seen_from(loop);
+    if (whole) {
+      made_.parts.push_back({loop, *whole});
+    } else if (crosses_itself(loop) || !divide(loop)) {
+      return {};
+    }
+    return std::move(made_);
+  }
+
+ private:
+  static Line line_of(const RegionSide& side) {
+    constexpr int kInPiece = 16;
+    Line line{place_on(side.pieces[0], 0.0)};
+    for (const auto& piece : side.pieces) {
+      const int steps = piece.size() == 2 ? 1 : kInPiece;
+      for (int k = 1; k <= steps; ++k) line.push_back(place_on(piece, static_cast<double>(k) / steps));
+    }
+    return line;
+  }
+
+  Line line_of(const PartSide& one) const {
+    Line line = lines_[one.side];
+    if (one.is_reversed) std::ranges::reverse(line);
+    return line;
+  }
+
+  Line line_of(const Loop& loop, std::vector<std::size_t>* corners = nullptr) const {
+    Line line;
+    for (const PartSide& one : loop) {
+      if (corners) corners->push_back(line.size());
+      const Line side = line_of(one);
+      line.insert(line.end(), side.begin(), side.end() - 1);
+    }
+    return line;
+  }
+
+  std::size_t corner_of(const PartSide& one) const {
+    const RegionSide& side = made_.sides[one.side];
+    return one.is_reversed ? side.to : side.from;
+  }
+
+  std::optional<glm::dvec2> seen_from(const Loop& loop) const {
+    std::vector<std::vector<glm::dvec3>> pieces;
+    for (const PartSide& one : loop) {
+      auto own = made_.sides[one.side].pieces;
+      if (one.is_reversed) {
+        std::ranges::reverse(own);
+        for (auto& piece : own) std::ranges::reverse(piece);
+      }
+      pieces.insert(pieces.end(), own.begin(), own.end());
+    }
+    return point_seeing(pieces);
+  }
+
+  bool crosses_itself(const Loop& loop) const {
+    const Line line = line_of(loop);
+    const std::size_t count = line.size();
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+      breathe(count);
+      for (std::size_t k = i + 2; k < count; ++k) {
+        if (i == 0 && k + 1 == count) continue;
+        if (do_touch(line[i], line[i + 1], line[k], line[(k + 1) % count])) return true;
+      }
+    }
+    return !(area_of(line) > 0.0);
+  }
+
+  static bool turns_right(const glm::dvec2& before, const glm::dvec2& after) {
+    return cross(before, after) < -1e-9 * std::sqrt(dot(before, before) * dot(after, after));
+  }
+
+  /// Whether a side turns to the right somewhere.
+  bool is_hollow(const PartSide& one) const {
+    const Line line = line_of(one);
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      if (turns_right(line[i] - line[i - 1], line[i + 1] - line[i])) return true;
+    }
+    return false;
+  }
+
+  /// Of each corner of a loop, whether the border turns to the right there, or on a side beside it.
+  std::vector<bool> are_hollow(const Loop& loop, const Line& line, const std::vector<std::size_t>& corners) const {
+    std::vector<bool> found;
+    const std::size_t count = line.size();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t at = corners[i];
+      const bool is_turn = turns_right(line[at] - line[(at + count - 1) % count], line[(at + 1) % count] - line[at]);
+      found.push_back(is_turn || is_hollow(loop[i]) || is_hollow(loop[(i + loop.size() - 1) % loop.size()]));
+    }
+    return found;
+  }
+
+  /// Whether a chord lies inside.
+  static bool is_inside(const Line& line, std::size_t from, std::size_t to) {
+    const std::size_t count = line.size();
+    const glm::dvec2 a = line[from];
+    const glm::dvec2 b = line[to];
+    const glm::dvec2 middle = 0.5 * (a + b);
+    bool is_odd = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t next = (i + 1) % count;
+      const glm::dvec2& c = line[i];
+      const glm::dvec2& d = line[next];
+      if ((c.y > middle.y) != (d.y > middle.y) && middle.x < c.x + (middle.y - c.y) / (d.y - c.y) * (d.x - c.x)) is_odd = !is_odd;
+      if (i == from || next == from || i == to || next == to) {
+        const glm::dvec2& other = i == from || i == to ? d : c;
+        const glm::dvec2& own = i == from || i == to ? c : d;
+        const glm::dvec2 way = own == a ? b - a : a - b;
+        if (cross(way, other - own) == 0.0 && dot(way, other - own) > 0.0) return false;
+      } else if (do_touch(a, b, c, d)) {
+        return false;
+      }
+    }
+    return is_odd;
+  }
+
+  /// Those inside that begin or end where the border is hollow, the shortest first.
+  std::vector<RegionChord> chords_in(const Loop& loop) const {
+    constexpr std::size_t kMost = 48;
+    constexpr std::size_t kMostTried = 3000;
+    std::vector<std::size_t> corners;
+    const Line line = line_of(loop, &corners);
+    const std::vector<bool> hollow = are_hollow(loop, line, corners);
+    std::vector<RegionChord> all;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      for (std::size_t k = i + 1; k < loop.size(); ++k) {
+        const bool is_side = (k == i + 1 && made_.sides[loop[i].side].is_straight()) ||
+                             (i == 0 && k + 1 == loop.size() && made_.sides[loop[k].side].is_straight());
+        if (is_side || !(hollow[i] || hollow[k])) continue;
+        const glm::dvec2 way = line[corners[k]] - line[corners[i]];
+        all.push_back({i, k, std::sqrt(dot(way, way))});
+      }
+    }
+    std::ranges::sort(all, {}, &RegionChord::length);
+    all.resize(std::min(all.size(), kMostTried));
+    std::vector<RegionChord> inside;
+    for (const RegionChord& chord : all) {
+      breathe(line.size());
+      if (inside.size() == kMost) break;
+      if (chord.length > 0.0 && is_inside(line, corners[chord.from], corners[chord.to])) inside.push_back(chord);
+    }
+    return inside;
+  }
+
+  /// The chord becomes the last of all sides.
+  Halves halves_of(const Loop& loop, const RegionChord& chord) {
+    const auto end_of = [&](std::size_t i) { return line_of(loop[i]).front(); };
+    const glm::dvec2 a = end_of(chord.from);
+    const glm::dvec2 b = end_of(chord.to);
+    made_.sides.push_back({{{glm::dvec3(a, 1.0), glm::dvec3(b, 1.0)}}, corner_of(loop[chord.from]), corner_of(loop[chord.to])});
+    lines_.push_back({a, b});
+    const std::size_t added = made_.sides.size() - 1;
+    Halves halves;
+    for (std::size_t i = 0; i < loop.size(); ++i) (i >= chord.from && i < chord.to ? halves.first : halves.second).push_back(loop[i]);
+    halves.first.push_back({added, true});
+    halves.second.insert(halves.second.begin() + static_cast<std::ptrdiff_t>(chord.from), {added, false});
+    return halves;
+  }
+
+  void take_back_chord() {
+    made_.sides.pop_back();
+    lines_.pop_back();
+  }
+
+  /// How good it is to cut there: both halves seen, or of one that is the area.
+  double worth_of(const Loop& loop, const RegionChord& chord) {
+    const Halves halves = halves_of(loop, chord);
+    const bool is_first = seen_from(halves.first).has_value();
+    const bool is_second = seen_from(halves.second).has_value();
+    const double first = area_of(line_of(halves.first));
+    const double second = area_of(line_of(halves.second));
+    take_back_chord();
+    if (is_first && is_second) return 2.0;
+    if (!is_first && !is_second) return 0.0;
+    return (is_first ? first : second) / (first + second);
+  }
+
+  /// Adds the parts of a loop that is not seen whole. @returns whether that can be done
+  bool divide(const Loop& loop) {
+    std::vector<RegionChord> chords = chords_in(loop);
+    if (chords.empty()) return false;
+    const RegionChord* best = nullptr;
+    double most = -1.0;
+    for (const RegionChord& chord : chords) {
+      const double worth = worth_of(loop, chord);
+      if (worth > most) {
+        most = worth;
+        best = &chord;
+      }
+      if (worth == 2.0) break;
+    }
+    const Halves halves = halves_of(loop, *best);
+    for (const Loop* half : {&halves.first, &halves.second}) {
+      const std::optional<glm::dvec2> from = seen_from(*half);
+      if (from) {
+        made_.parts.push_back({*half, *from});
+      } else if (!divide(*half)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  CutRegion made_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace
+
+std::optional<CutRegion> cut_into_seen(std::vector<RegionSide> sides) { return RegionCutter(std::move(sides)).cut(); }
+
+}  // namespace splinecore
