@@ -99,8 +99,9 @@ def test_hard_holds_are_bounded_and_keep_what_they_say(make, inputs):
         require_kept(definition, [held], found)
         way = np.linalg.norm(found.definition.pool[:, :3] - now.pool[:, :3], axis=1)
         assert way.max() <= 1.001 * bounds.REACH * size
+        assert len(led) > 1 or not found.lost   # for one point there is always a way to keep all of it
         less += bool(found.lost)
-    assert less <= 0.05 * count         # nearly always there is a way to keep all of it
+    assert less <= 0.1 * count
 
 
 def one_point(size=1.2):
