@@ -60,7 +60,7 @@ def test_halves_that_nearly_fit_move_no_more_than_a_join_moves_them(word, inputs
         a, b = mirrored_pair(np.random.default_rng(seed))
         made, moved = build.match_patch(b, "u_start", a, "u_start", word)
         joined = build.join_patches(a, "u_start", b, "u_start", word, "second")
-        assert moved <= (1 + 1e-9 if word == "G1" else 3) * joined.second_error + 1e-12
+        assert moved <= (1 + 1e-9) * joined.second_error + 1e-12
         ratios.append(moved / joined.second_error)
         assert sc.seam_continuity(a, "u_start", made, "u_start").g >= int(word[1])
         v = np.linspace(*b.domain[1], 5)
@@ -97,7 +97,7 @@ def test_random_matches_are_bounded_and_as_smooth_as_they_say(word, inputs):
             continue
         made += 1
         size = np.linalg.norm(np.ptp(apart.points.reshape(-1, 3), axis=0))
-        assert np.isfinite(moved) and moved <= (1.0 if word < "G2" else 10.0) * size, (seed, moved)
+        assert np.isfinite(moved) and (strength > 1 or moved <= (1.0 if word < "G2" else 10.0) * size), (seed, moved)
         assert sc.seam_continuity(a, "u_start", found, "u_start").g >= min(int(word[1]), 2)
     assert made > 0.9 * inputs(250)
 

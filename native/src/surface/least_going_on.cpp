@@ -182,10 +182,10 @@ double least_pace(std::span<const glm::dvec4> edge, const LeavingRows& out, cons
 }
 
 /// How fast the patch is to leave its side, by the other one: as it moves least, unless it would be folded back, or nearly.
-double pace_of(std::span<const glm::dvec4> edge, const LeavingRows& out, const OwnRows& own) {
+double pace_of(std::span<const glm::dvec4> edge, const LeavingRows& out, const OwnRows& own, PaceFor rows) {
   constexpr double kLeastShare = 0.1;
   const double mean = own_pace(edge, out, own);
-  if (out.size() > 1) return least_pace(edge, out, own, mean);
+  if (rows == PaceFor::all_rows) return least_pace(edge, out, own, mean);
   const Fit fit(edge, out, own);
   const double least = share_of(fit.out(1), fit.rest(1, HomogeneousRow(edge.size(), glm::dvec4(0.0))));
   return least >= kLeastShare * mean ? least : mean;
@@ -203,8 +203,8 @@ HomogeneousRow back(std::span<const glm::dvec4> edge, HomogeneousRow row) {
 }  // namespace
 
 LeavingRows least_going_on(std::span<const glm::dvec4> edge, const LeavingRows& out, const OwnRows& own,
-                           double strength) {
-  LeavingRows found = going(edge, out, own, strength * pace_of(edge, out, own)).rows;
+                           PaceFor rows, double strength) {
+  LeavingRows found = going(edge, out, own, strength * pace_of(edge, out, own, rows)).rows;
   for (HomogeneousRow& row : found) row = back(edge, std::move(row));
   return found;
 }

@@ -171,7 +171,15 @@ MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& e
   return moved_to(before, edge, out.empty() ? LeavingRows{} : going_on(edge, out, pace, room), must, may);
 }
 
-/// The rows that go on from the other one's and move least.
+double least_weight(const MovingRows& moved) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& row : moved.rows) {
+    for (const glm::dvec4& p : row) least = std::min(least, p.w);
+  }
+  return least;
+}
+
+/// The rows that go on from the other one's and move least: at the pace that suits the first of them, or that suits all.
 MovingRows moved_least(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double strength,
                        std::size_t must, std::size_t may) {
   if (out.empty()) return moved_to(before, edge, {}, must, may);
@@ -183,15 +191,15 @@ MovingRows moved_least(const MovingRows& before, const std::vector<glm::dvec4>& 
     const auto weights = at_start.weights(0, k);
     for (int j = 0; j <= k; ++j) own.coefficients[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] = weights[j];
   }
-  return moved_to(before, edge, least_going_on(edge, out, own, strength), must, may);
-}
-
-double least_weight(const MovingRows& moved) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& row : moved.rows) {
-    for (const glm::dvec4& p : row) least = std::min(least, p.w);
-  }
-  return least;
+  const auto moved_for = [&](PaceFor rows) {
+    return moved_to(before, edge, least_going_on(edge, out, own, rows, strength), must, may);
+  };
+  MovingRows by_first = moved_for(PaceFor::first_row);
+  if (order == 1) return by_first;
+  MovingRows by_all = moved_for(PaceFor::all_rows);
+  if (!(least_weight(by_first) > 0.0) || !(least_weight(by_all) > 0.0)) return by_all;
+  const NurbsPatch was = patch_of(before);
+  return largest_distance(was, patch_of(by_first)) <= largest_distance(was, patch_of(by_all)) ? by_first : by_all;
 }
 
 /// How fast the patch leaves its side, by how fast the other one does.
