@@ -179,7 +179,8 @@ double least_weight(const MovingRows& moved) {
   return least;
 }
 
-/// The rows that go on from the other one's and move least: at the pace that suits the first of them, or that suits all.
+/// The rows that go on from the other one's and move least: at the pace that suits all, or the first of them where the
+/// surface then moves less than half as far, as it may where weights differ much.
 MovingRows moved_least(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double strength,
                        std::size_t must, std::size_t may) {
   if (out.empty()) return moved_to(before, edge, {}, must, may);
@@ -199,7 +200,8 @@ MovingRows moved_least(const MovingRows& before, const std::vector<glm::dvec4>& 
   MovingRows by_all = moved_for(PaceFor::all_rows);
   if (!(least_weight(by_first) > 0.0) || !(least_weight(by_all) > 0.0)) return by_all;
   const NurbsPatch was = patch_of(before);
-  return largest_distance(was, patch_of(by_first)) <= largest_distance(was, patch_of(by_all)) ? by_first : by_all;
+  const double of_first = largest_distance(was, patch_of(by_first));
+  return of_first < 0.5 * largest_distance(was, patch_of(by_all)) ? by_first : by_all;
 }
 
 /// How fast the patch leaves its side, by how fast the other one does.
