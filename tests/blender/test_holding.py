@@ -246,3 +246,52 @@ def test_a_mirrored_shape_that_is_joined_keeps_its_seams():
     op(bpy.ops.splinewright.join)
     seam, = held.read(shape().data)
     assert (seam.first, seam.second) == ((2, 'v_end'), (3, 'v_start'))
+
+
+def cut_near_a_knot():
+    """Two halves cut at 6.2 where 6.14 is a knot."""
+    knots = [0, 0, 0, 0, 2, 4, 6.14, 8, 10, 10, 10, 10], [0, 0, 0, 0, 0.3, 0.6, 0.8, 1, 1, 1, 1]
+    u, v = np.meshgrid(np.linspace(0, 10, 8), np.linspace(0, 4, 7), indexing='ij')
+    return sc.PatchSet.from_patches(sc.NurbsPatch((3, 3), knots, np.stack([u, v, np.sin(u)], -1)).split('u', 6.2))
+
+
+@pytest.mark.parametrize('continuity', ('G1', 'C1', 'G2', 'C2'))
+def test_a_cut_near_a_knot_does_not_throw_the_other_half_away(continuity):
+    add(cut_near_a_knot())
+    hold(continuity)
+    net = enter()
+    before = store.read(shape().data).pool
+    select(net, [row(0, -2)[3]])
+    for _ in range(3):                  # in steps, as a drag comes
+        move(0, 0.4, 0)
+        followed()
+        require_smooth(continuity)
+        assert live.note(net) == ""
+    change = np.abs(store.read(shape().data).pool - before).max(1)
+    assert change.max() < 1.5 * 1.2 and (change > 1e-6).sum() <= 5
+    leave()
+    require_smooth(continuity)
+
+
+def test_what_cannot_hold_as_smoothly_as_it_is_to_is_told():
+    add(cut_near_a_knot())
+    hold('C2')
+    net = enter()
+    chosen = [row(0, -3)[3], row(0, -2)[3], row(0, -1)[3], row(1, 1)[3], row(1, 2)[3]]
+    select(net, chosen)
+    op(bpy.ops.transform.vertex_random, offset=0.5, seed=1)
+    followed()
+    assert "not C2" in live.note(net) and "1 u end · 2 u start holds" in live.note(net)
+    bpy.ops.ed.undo()
+    followed()
+    leave()
+
+
+def test_a_pull_in_object_mode_tells_it_too(capfd):
+    add(cut_near_a_knot())
+    hold('C2')
+    before = store.read(shape().data).pool
+    assert op(bpy.ops.splinewright.pull_here, piece=1, parameter_u=6.17, parameter_v=0.45, vector=(0, 0, 1)) == {'FINISHED'}
+    assert np.abs(store.read(shape().data).pool - before).max() < 12
+    found = sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start')
+    assert found.c >= 2 or "not C2" in capfd.readouterr().out

@@ -341,7 +341,7 @@ def test_keys_of_older_files_go_on(tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=path)
     bpy.ops.wm.open_mainfile(filepath=path)
     bpy.context.scene.frame_set(4)
-    assert recipes.parameters(bpy.data.objects[name].data) == {'radius': 4.0, 'form': 'square'}
+    assert recipes.parameters(bpy.data.objects[name].data) == {'radius': 4.0, 'form': 'square', 'tolerance': 0.001}
     require_exact(bpy.data.objects[name])
 
 

@@ -35,16 +35,23 @@ def neighbours():
     return sc.PatchSet.from_patches([sc.NurbsPatch((3, 3), (knots, knots), points) for points in grids])
 
 
-def scene(view):
+def cut_near_a_knot():
+    sc = part('core.library').sc
+    knots = [0, 0, 0, 0, 0.6, 1.02, 1.5, 2, 2, 2, 2]
+    u, v = np.meshgrid(np.linspace(-2, 2, 7), np.linspace(-1, 1, 7), indexing='ij')
+    return sc.PatchSet.from_patches(sc.NurbsPatch((3, 3), (knots, knots), np.stack([u, v, 0.3 * np.cos(u)], -1)).split('u', 1.03))
+
+
+def scene(view, shown=neighbours, continuity='G1', columns=slice(1, 4)):
     with view.override():
         empty_file()
-        data = part('bridge.shape').new_data("shape", neighbours(), (8, 8))
+        data = part('bridge.shape').new_data("shape", shown(), (8, 8))
         ob = bpy.data.objects.new("shape", data)
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob
         ob.select_set(True)
         bpy.ops.view3d.view_selected()
-        bpy.ops.splinewright.hold_seam('EXEC_DEFAULT', True, continuity='G1', moves='second', first=1, first_side='u_end',
+        bpy.ops.splinewright.hold_seam('EXEC_DEFAULT', True, continuity=continuity, moves='second', first=1, first_side='u_end',
                                        second=2, second_side='u_start')
     assert smooth() >= 1
     view.move(420, 420)
@@ -54,9 +61,26 @@ def scene(view):
     net = live.session(nets()[0].data).net
     vertices = {int(row): vertex for vertex, row in enumerate(net.rows)}
     with view.override():
-        selection.select(nets()[0], net, [vertices[int(row)] for row in net.definition.pieces[0].indices[-2, 1:4]])
+        selection.select(nets()[0], net, [vertices[int(row)] for row in net.definition.pieces[0].indices[-2, columns]])
         bpy.ops.ed.undo_push(message="select")
     yield from redrawn()
+
+
+def drag_near_a_knot(view):
+    """The other half is not thrown out of the view, and the seam holds."""
+    before = value()
+    view.press('G')
+    view.move(view.x, view.y + 60)
+    yield from until(lambda: np.abs(value()[0].points - before[0].points).max() > 0.1, "the net is dragged")
+    yield from until(lambda: smooth() >= 2, "the seam holds")
+    yield from redrawn()
+    picture("near-a-knot")
+    moved = [np.abs(value()[i].points - before[i].points).max() for i in (0, 1)]
+    assert moved[1] < 1.5 * moved[0]
+    view.press('ESC')
+    yield from until(lambda: value() == before, "Esc puts both back")
+    view.press('TAB')
+    yield from out_of_net()
 
 
 def drag(view):
@@ -88,6 +112,8 @@ def drag(view):
 
 def steps():
     view = View()
+    yield from scene(view, cut_near_a_knot, 'G2', slice(3, 4))
+    yield from drag_near_a_knot(view)
     yield from scene(view)
     yield from drag(view)
     view.open_sidebar()

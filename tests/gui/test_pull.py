@@ -241,9 +241,38 @@ def in_object_mode(view):
     print("in Object Mode", flush=True)
 
 
+def sculpted(view):
+    """A deformable surface of revolution has no crease after it."""
+    def add(*_):
+        sc, deformable = part('core.library').sc, part('core.deformable')
+        profile = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1.0], [(0.8, 0, -1), (1.2, 0, 0), (0.8, 0, 1)])
+        patch, _ = deformable.revolved(profile, (0, 0, 0), (0, 0, 1), 0.0, None, 1e-3)
+        data = part('bridge.shape').new_data("shape", patch, (8, 8))
+        ob = bpy.data.objects.new("shape", data)
+        bpy.context.scene.collection.objects.link(ob)
+        bpy.context.view_layer.objects.active = ob
+        ob.select_set(True)
+    yield from added(view, add)
+    before, at = value(), place_seen(view)
+    view.press('TAB')
+    yield from into_net()
+    x, y = view.pixel_of(before.evaluate(*at))
+    yield from grabbed(view, x, y)
+    yield from dragged_to(view, before, at, x - 60, y + 20)
+    button(view, 'RELEASE')
+    yield from until(lambda: pulled() is None, "letting go ends it")
+    yield from redrawn()
+    picture("sculpted")
+    assert part('bridge.surveys').survey_of(shape().data)[1:] == (0, 0)
+    view.press('TAB')
+    yield from out_of_net()
+    print("a deformable one", flush=True)
+
+
 def steps():
     view = View()
     yield from on_a_patch(view)
+    yield from sculpted(view)
     yield from by_the_tool(view)
     yield from on_a_curve(view)
     yield from to_a_vertex(view)        # before Ctrl is pressed: 4.3 says of simulated events that it still is

@@ -31,9 +31,75 @@ def test_g3_has_the_third_derivatives_up_to_the_pace():
     made, _ = build.match_patch(b, "u_start", a, "u_end", "G3")
     v = np.linspace(0, 1, 17)
     end, start = a.derivatives(np.ones(17), v, 3), made.derivatives(np.zeros(17), v, 3)
-    pace = np.linalg.norm(start[:, 1, 0]) / np.linalg.norm(end[:, 1, 0])
-    for k in (1, 2, 3):
-        assert np.abs(start[:, k, 0] - pace ** k * end[:, k, 0]).max() <= 1e-9 * np.abs(end[:, k, 0]).max()
+    share = lambda of, by: (of * by).sum() / (by * by).sum()
+    one, two, three = (end[:, k, 0] for k in (1, 2, 3))
+    pace = share(start[:, 1, 0], one)
+    gain = share(start[:, 2, 0] - pace**2 * two, one)
+    last = share(start[:, 3, 0] - pace**3 * three - 3 * pace * gain * two, one)
+    for found, wanted in zip((start[:, k, 0] for k in (1, 2, 3)), (
+            pace * one, pace**2 * two + gain * one, pace**3 * three + 3 * pace * gain * two + last * one)):
+        assert np.abs(found - wanted).max() <= 1e-9 * max(np.abs(end[:, k, 0]).max() for k in (1, 2, 3))
+
+
+def mirrored_pair(rng):
+    """A half of a body that leaves the plane x = 0 at nearly right angles, and its mirror image."""
+    degree, inner = rng.integers(2, 7, 2), rng.integers(1, 5, 2)
+    knots = [np.concatenate([[0.0] * (d + 1), np.sort(rng.uniform(0.1, 0.9, n)), [1.0] * (d + 1)]) for d, n in zip(degree, inner)]
+    u, v = np.meshgrid(np.linspace(0, 1, degree[0] + 1 + inner[0]), np.linspace(0, 3, degree[1] + 1 + inner[1]), indexing="ij")
+    points = np.stack([u, v, 0.5 - 0.4 * u**2 + 0.1 * v - 0.05 * v * v], -1)
+    points[2:] += rng.uniform(-0.05, 0.05, points[2:].shape)
+    points[1] += rng.uniform(-0.013, 0.013, points[1].shape) * points[1, :, :1]      # some 0.7 degrees
+    weights = rng.uniform(0.5, 2, u.shape) if rng.random() < 0.4 else None
+    return [sc.NurbsPatch(degree.tolist(), knots, points * way, weights) for way in ([1, 1, 1], [-1, 1, 1])]
+
+
+@pytest.mark.parametrize("word", ["G1", "G2"])
+def test_halves_that_nearly_fit_move_no_more_than_a_join_moves_them(word, inputs):
+    ratios = []
+    for seed in range(inputs(1000)):
+        a, b = mirrored_pair(np.random.default_rng(seed))
+        made, moved = build.match_patch(b, "u_start", a, "u_start", word)
+        joined = build.join_patches(a, "u_start", b, "u_start", word, "second")
+        assert moved <= (1 + 1e-9 if word == "G1" else 2.1) * joined.second_error + 1e-12
+        ratios.append(moved / joined.second_error)
+        assert sc.seam_continuity(a, "u_start", made, "u_start").g >= int(word[1])
+        v = np.linspace(*b.domain[1], 5)
+        assert np.abs(made.evaluate(np.full(5, 1.0), v) - b.evaluate(np.full(5, 1.0), v)).max() < 1e-12
+    assert np.median(ratios) <= 1 + 1e-9 and np.quantile(ratios, 0.95) < 1.2
+
+
+def test_a_half_that_is_off_by_less_than_a_degree_keeps_its_corner():
+    """A body 3 long and 0.7 degrees off at its edge, wider towards one end."""
+    knots = [0, 0, 0, 0, 0.3, 0.6, 1, 1, 1, 1], [0, 0, 0, 0, 0.5, 1, 1, 1, 1]
+    u, v = np.meshgrid([0, 0.1, 0.3, 0.6, 0.9, 1.0], np.linspace(0, 3, 5), indexing="ij")
+    points = np.stack([u * (1 + 0.3 * v), v, 1 - u**2], -1)
+    points[1, :, 2] -= 0.0003 * (1 + v[1])
+    a = sc.NurbsPatch((3, 3), knots, points)
+    b = sc.NurbsPatch((3, 3), knots, points * [-1, 1, 1])
+    for word in ("G1", "G2"):
+        made, moved = build.match_patch(b, "u_start", a, "u_start", word)
+        joined = build.join_patches(a, "u_start", b, "u_start", word, "second")
+        assert moved <= 1.01 * joined.second_error and moved < 0.04
+
+
+@pytest.mark.parametrize("word", ["G0", "G1", "G2", "G3"])
+def test_random_matches_are_bounded_and_as_smooth_as_they_say(word, inputs):
+    made = 0
+    for seed in range(inputs(250)):
+        rng = np.random.default_rng([seed, int(word[1])])
+        a, b = mirrored_pair(rng)
+        apart = b.with_points(b.points + rng.uniform(-0.2, 0.2, 3) + rng.uniform(-0.05, 0.05, b.points.shape))
+        strength = float(rng.choice([0.5, 1.0, 1.0, 2.0]))
+        try:
+            found, moved = build.match_patch(apart, "u_start", a, "u_start", word, strength=strength)
+        except sc.Error as error:
+            assert "patch" in str(error) or "weights" in str(error)
+            continue
+        made += 1
+        size = np.linalg.norm(np.ptp(apart.points.reshape(-1, 3), axis=0))
+        assert np.isfinite(moved) and (strength > 1 or moved <= (1.0 if word < "G2" else 10.0) * size), (seed, moved)
+        assert sc.seam_continuity(a, "u_start", found, "u_start").g >= min(int(word[1]), 2)
+    assert made > 0.9 * inputs(250)
 
 
 @pytest.mark.parametrize("side", ["u_start", "u_end", "v_start", "v_end"])

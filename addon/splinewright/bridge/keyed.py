@@ -55,7 +55,8 @@ def _show(data, evaluated, depsgraph):
         if changes:
             set_parameters(data, changes, depsgraph)
         elif definition is not None:
-            keyed_net.set_definition(data, definition)
+            lost = keyed_net.set_definition(data, definition)
+            problem = "; ".join(filter(None, (problem, lost)))
         elif is_other:
             shape.rewrite(data)
         problems.tell(data, problems.KEYED, problem)

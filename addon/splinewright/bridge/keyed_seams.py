@@ -5,23 +5,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..core import held as seams_that_hold
+from ..core import held_bounds
 from . import held, point_keys, store
 
 KEY = "splinewright_keyed_rest"
 
 
 def applied(data, definition):
-    """(a definition in which the joints or seams of a data-block hold, what write() is to keep of it). Raises Refusal or an error of
-    the library where they cannot."""
+    """(a definition in which the joints or seams of a data-block hold, what write() is to keep of it, in words what does not hold as
+    smoothly as it is to). Raises Refusal or an error of the library where they cannot."""
     seams = held.read(data, definition)
     if not seams:
-        return definition, None
+        return definition, None, ""
     start = replace(definition, pool=_at_rest(data, definition.pool))
-    after = seams_that_hold.applied(start, seams, set(point_keys.rows(data)[point_keys.animated(data).any(1)].tolist()))
+    kept = held_bounds.kept(start, seams, set(point_keys.rows(data)[point_keys.animated(data).any(1)].tolist()))
+    after = kept.definition
     rows = np.flatnonzero((after.pool != start.pool).any(1))
     return after, {'rows': rows.tolist(), 'placed': after.pool[rows].ravel().tolist(),
-                   'origins': start.pool[rows].ravel().tolist()}
+                   'origins': start.pool[rows].ravel().tolist()}, held_bounds.sentence(kept.lost)
 
 
 def write(data, rest):

@@ -1,7 +1,7 @@
 """A knot of a shape is moved: the control points stay, and the shape is another at every step."""
 
 from ..core import held as seams_that_hold
-from ..core import knots, shared_knots, verbs
+from ..core import held_bounds, knots, shared_knots, verbs
 from . import held, recipes, shape, store
 
 
@@ -17,13 +17,16 @@ class HeldKnot:
         verbs.require_piece(self.before.pieces, piece + 1)
         self._alongs = shared_knots.together(self.before, piece, axis)
         self._data, self._knot, self._seams, self._is_moved = data, knot, held.known(data), False
+        self.lost = ""                  # what does not hold as smoothly as it is to
 
     def show(self, to):
         """Let the knot lie at a parameter; seams that hold do it still. Raises, and nothing has changed, where it may
         not."""
         definition = knots.moved(self.before, self._alongs, self._knot, to)
         seams = self._seams_at(definition)
-        shape.set_definition(self._data, seams_that_hold.applied(definition, seams))
+        kept = held_bounds.kept(definition, seams)
+        shape.set_definition(self._data, kept.definition)
+        self.lost = held_bounds.sentence(kept.lost)
         held.write(self._data, seams)
         self._is_moved = True
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..core import held as seams_that_hold
+from ..core import held_bounds
 from ..core.failures import Refusal
 from ..core.net import exact_net
 from . import held, recipes, shape, store
@@ -19,10 +19,13 @@ class HeldShape:
         self._data = ob.data
         self.definition = store.read(ob.data)
         self._seams = held.read(ob.data, self.definition)
+        self.lost = ""                  # what does not hold as smoothly as it is to
 
     def show(self, definition):
         led = set(np.flatnonzero((definition.pool != self.definition.pool).any(1)).tolist())
-        shape.set_definition(self._data, seams_that_hold.applied(definition, self._seams, led))
+        kept = held_bounds.kept(definition, self._seams, led, self.definition.pool)
+        shape.set_definition(self._data, kept.definition)
+        self.lost = held_bounds.sentence(kept.lost)
 
     def put_back(self):
         shape.set_definition(self._data, self.definition)
@@ -48,6 +51,10 @@ class HeldNet:
         self.definition = exact_net.read(current.net, current.state)
         self._first = self._positions(self.definition)
         self._types = selection.handle_types(ob)
+
+    @property
+    def lost(self):
+        return live.session(self._ob.data).lost
 
     def show(self, definition):
         """In single precision, as a drag in Edit Mode does."""

@@ -25,8 +25,9 @@ def survey_of(data):
 
 
 def seams_of(data):
-    """(the core.seams.Seams of a Mesh's definition as it is now, its size). Raises store.UnreadableDefinition."""
-    return _kept('seams', data, lambda definition: (seams.seams_of(definition, DRAWN)[0], definition.size))
+    """(what is measured along the seams of a Mesh's definition as it is now, and along creases, its size). Raises
+    store.UnreadableDefinition."""
+    return _kept('seams', data, lambda definition: (seams.lines_of(definition, DRAWN), definition.size))
 
 
 def middles_of(data):

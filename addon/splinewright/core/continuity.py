@@ -30,6 +30,7 @@ class Survey(NamedTuple):
 
     joints: tuple                       # the first ones
     count: int                          # of all
+    bendable: int = 0                   # knots inside patches at which a crease may come about
 
 
 def surveyed(definition, limit):

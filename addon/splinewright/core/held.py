@@ -31,6 +31,13 @@ class Held(NamedTuple):
     moves: str
 
 
+class Contradiction(Refusal):
+    """What is to hold does not hold together."""
+
+    def __init__(self):
+        super().__init__("what is to hold contradicts itself: release a joint or seam")
+
+
 def require_valid(held, definition):
     """Raises Refusal unless this may be a joint or seam of a definition."""
     for piece, place in (held.first, held.second):
@@ -139,7 +146,7 @@ def applied(definition, seams, led=frozenset()):
         if (np.array(moved).reshape(-1, 4) <= agreed).all():
             break
     else:
-        raise Refusal("what is to hold contradicts itself: release a joint or seam")
+        raise Contradiction
     return definition if np.array_equal(pool, definition.pool) else replace(definition, pool=pool)
 
 

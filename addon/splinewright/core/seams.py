@@ -6,6 +6,7 @@ import numpy as np
 
 from . import definition as definitions
 from .continuity import Joint, Survey
+from .creases import creases_of
 from .joints import SMOOTH
 from .library import sc
 
@@ -45,9 +46,18 @@ def _pairs(definition, numbers):
 
 def surveyed(definition, limit):
     """The core.continuity.Survey of a definition of patches."""
-    seams, count = seams_of(definition, limit)
+    creases, bendable = creases_of(definition)
+    seams, count = seams_of(definition, max(limit - len(creases), 0))
     is_one = len(definition.pieces) == 1
-    return Survey(tuple(Joint(_name(seam, is_one), seam.measured, _MORE, (seam.first, seam.second)) for seam in seams), count)
+    inside = [Joint(_name_of(crease, is_one), crease.measured, _MORE) for crease in creases[:limit]]
+    between = [Joint(_name(seam, is_one), seam.measured, _MORE, (seam.first, seam.second)) for seam in seams]
+    return Survey((*inside, *between), count + len(creases), bendable)
+
+
+def lines_of(definition, limit):
+    """What is measured along the first seams of a definition, and along the creases inside its patches."""
+    seams, _ = seams_of(definition, limit)
+    return [one.measured for one in (*seams, *creases_of(definition)[0]) if one.measured is not None]
 
 
 def classes(measured, size):
@@ -72,6 +82,10 @@ def _measured(patch_set, first, second):
         return sc.seam_continuity(patch_set[first[0]], first[1], patch_set[second[0]], second[1], tolerance=SMOOTH)
     except (sc.InvalidShape, sc.PointAtInfinity):
         return None
+
+
+def _name_of(crease, is_one):
+    return f"{'' if is_one else f'{crease.patch + 1} '}crease {crease.axis} {crease.knot:.4g}"
 
 
 def _name(seam, is_one):

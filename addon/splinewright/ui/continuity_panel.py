@@ -34,6 +34,8 @@ class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
             texts.draw_note(self.layout, "As it was before the last change, which is not shown")
         data = hand.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
+        if survey.bendable:
+            texts.draw_note(self.layout, f"Pulled at {survey.bendable:,} knots inside it may crease: deformable or rebuilt it stays smooth")
         if not survey.count:
             self.layout.label(text="No seams" if is_surface else "No joints")
             return
@@ -70,10 +72,12 @@ class _Locks:
 
     def holds(self, joint):
         """What holds there, or None."""
-        return self._known.get(frozenset(joint.sides))
+        return self._known.get(frozenset(joint.sides)) if joint.sides else None
 
     def draw(self, layout, joint):
         """Its button, if it may hold."""
+        if not joint.sides:             # a crease inside a patch
+            return
         (first, second), holds = joint.sides, self.holds(joint)
         if not holds and not can_hold(self._definition, first, second):
             return

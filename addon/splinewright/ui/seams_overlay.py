@@ -47,12 +47,10 @@ def _strokes(data, *_):
 
 
 def coloured_lines(data):
-    """[(points (n, 3), colours (n, 4))] of the seams of a Mesh."""
+    """[(points (n, 3), colours (n, 4))] of the seams of a Mesh, and of the creases inside its patches."""
     found, of_class = [], colors.of_seams()
     measured, size = surveys.seams_of(data)
-    for seam in measured:
-        if seam.measured is not None:
-            numbers = seams.classes(seam.measured, size)
-            found.append((seam.measured.points.astype(np.float32),
-                          np.array([of_class[number] for number in numbers.tolist()], np.float32)))
+    for line in measured:
+        numbers = seams.classes(line, size)
+        found.append((line.points.astype(np.float32), np.array([of_class[number] for number in numbers.tolist()], np.float32)))
     return found

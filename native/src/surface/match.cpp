@@ -10,6 +10,7 @@
 #include "aligned_sections.hpp"
 #include "going_on.hpp"
 #include "kept_continuity.hpp"
+#include "least_going_on.hpp"
 #include "meet/near_space.hpp"
 #include "patch/lines.hpp"
 #include "ribbon.hpp"
@@ -46,10 +47,12 @@ struct MovingRows {
   KnotVector along;
   KnotVector across;
   std::vector<std::vector<glm::dvec4>> rows;
+  bool are_rational;
 };
 
-MovingRows rows_of(const NurbsPatch& patch) {
-  MovingRows made{patch.knot_vector(Axis::u), patch.knot_vector(Axis::v), {}};
+MovingRows rows_of(const NurbsPatch& patch, const Ribbon& onto) {
+  const auto is_rational = [](const NurbsCurve& row) { return row.rational(); };
+  MovingRows made{patch.knot_vector(Axis::u), patch.knot_vector(Axis::v), {}, patch.rational() || std::ranges::any_of(onto.rows, is_rational)};
   const std::vector<glm::dvec4> net = homogeneous(patch.points());
   const auto count_u = static_cast<std::size_t>(patch.count(Axis::u));
   const auto count_v = static_cast<std::size_t>(patch.count(Axis::v));
@@ -148,18 +151,24 @@ double weight_factor(const std::vector<glm::dvec4>& own, const std::vector<glm::
 /// Of the first span, in which speed may change at most by what it is.
 constexpr double kRoom = 0.6;
 
+/// The rows of a patch with these derivatives at the side.
+MovingRows moved_to(const MovingRows& before, const std::vector<glm::dvec4>& edge, LeavingRows derivatives, std::size_t must,
+                    std::size_t may) {
+  MovingRows moved = before;
+  derivatives.insert(derivatives.begin(), edge);
+  write_rows(moved, derivatives);
+  fade(moved, before.rows, must, may);
+  for (auto& row : moved.rows) {
+    for (glm::dvec4& p : row) p.w = moved.are_rational ? p.w : 1.0;
+  }
+  return moved;
+}
+
 /// The rows of a patch that go on from the other one's, `pace` times as fast.
 MovingRows moved_onto(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double pace,
                       std::size_t must, std::size_t may) {
-  MovingRows moved = before;
-  std::vector<std::vector<glm::dvec4>> derivatives{edge};
-  if (!out.empty()) {
-    const double room = kRoom * moved.across.span_interval(0).length();
-    for (auto& row : going_on(edge, out, pace, room)) derivatives.push_back(std::move(row));
-  }
-  write_rows(moved, derivatives);
-  fade(moved, before.rows, must, may);
-  return moved;
+  const double room = kRoom * before.across.span_interval(0).length();
+  return moved_to(before, edge, out.empty() ? LeavingRows{} : going_on(edge, out, pace, room), must, may);
 }
 
 double least_weight(const MovingRows& moved) {
@@ -168,6 +177,31 @@ double least_weight(const MovingRows& moved) {
     for (const glm::dvec4& p : row) least = std::min(least, p.w);
   }
   return least;
+}
+
+/// The rows that go on from the other one's and move least: at the pace that suits all, or the first of them where the
+/// surface then moves less than half as far, as it may where weights differ much.
+MovingRows moved_least(const MovingRows& before, const std::vector<glm::dvec4>& edge, const LeavingRows& out, double strength,
+                       std::size_t must, std::size_t may) {
+  if (out.empty()) return moved_to(before, edge, {}, must, may);
+  const double start[] = {before.across.domain().start};
+  const int order = static_cast<int>(out.size());
+  const Samples at_start = Samples::make(before.across, start, order);
+  OwnRows own{before.rows, before.are_rational};
+  for (int k = 1; k <= order; ++k) {
+    const auto weights = at_start.weights(0, k);
+    for (int j = 0; j <= k; ++j) own.coefficients[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)] = weights[j];
+  }
+  const auto moved_for = [&](PaceFor rows) {
+    return moved_to(before, edge, least_going_on(edge, out, own, rows, strength), must, may);
+  };
+  MovingRows by_first = moved_for(PaceFor::first_row);
+  if (order == 1) return by_first;
+  MovingRows by_all = moved_for(PaceFor::all_rows);
+  if (!(least_weight(by_first) > 0.0) || !(least_weight(by_all) > 0.0)) return by_all;
+  const NurbsPatch was = patch_of(before);
+  const double of_first = largest_distance(was, patch_of(by_first));
+  return of_first < 0.5 * largest_distance(was, patch_of(by_all)) ? by_first : by_all;
 }
 
 /// How fast the patch leaves its side, by how fast the other one does.
@@ -198,18 +232,20 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   const int raise = std::max(more, options.continuity - patch.knot_vector(Axis::v).degree());
   if (raise > 0) patch = elevated(patch, Axis::v, raise);
   make_compatible(patch, onto);
-  MovingRows before = rows_of(patch);
+  MovingRows before = rows_of(patch, onto);
   const std::vector<glm::dvec4> edge = homogeneous(onto.rows.front().points());
   const double factor = weight_factor(before.rows.front(), edge);
   for (auto& row : before.rows) row = scaled(factor, std::move(row));
   LeavingRows out;
   for (int k = 1; k <= options.continuity; ++k) out.push_back(derivative_out(onto, k));
   double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
-  MovingRows moved = moved_onto(before, edge, out, pace, must, may);
+  MovingRows moved = moved_least(before, edge, out, options.strength, must, may);
   constexpr double kKept = 0.125;  // of the least weight: with less, points are far off, and lose digits
   const double least = kKept * least_weight(before);
   const auto are_kept = [&](const MovingRows& one) { return least_weight(one) >= least; };
   if (!(least > 0.0) || are_kept(moved)) return patch_of(moved);
+  moved = moved_onto(before, edge, out, pace, must, may);
+  if (are_kept(moved)) return patch_of(moved);
   double low = pace;
   for (int i = 0; i < kHalvings && !are_kept(moved); ++i) {
     pace = low;

@@ -5,10 +5,12 @@ it is called off they are where they were.
 """
 
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from ...core import held as seams_that_hold
+from ...core import held_bounds
 from .. import held, store
 from ..file_state import ended_operators
 from . import selection
@@ -21,22 +23,24 @@ class Placed:
     shown: dict = field(default_factory=dict)
     origins: dict = field(default_factory=dict)
     led: set = field(default_factory=set)
+    before: Any = None                  # the pool of the shape when the gesture began
     ended: tuple = ()                   # the ended_operators() at that time
 
 
 def followed(data, ob, current, definition):
     """A definition, as the net says it, in which the joints or seams of its shape hold. Raises Refusal or an error of the
     library."""
+    current.lost = ""
     seams = _kept(data, current, definition) if definition.has_curves else held.read(data, definition)
     if not seams:
         return definition
     placed = current.placed
     if placed.ended != ended_operators():
-        placed = current.placed = Placed(ended=ended_operators())
+        placed = current.placed = Placed(before=store.pool(data), ended=ended_operators())
     start = replace(definition, pool=_as_before(definition.pool, placed))
-    if definition.has_curves:
-        placed.led |= _led(store.pool(data), start.pool, definition.pool)
-    after = seams_that_hold.applied(start, seams, placed.led)
+    placed.led |= _led(store.pool(data), start.pool, definition.pool)
+    kept = held_bounds.kept(start, seams, placed.led, placed.before)
+    after, current.lost = kept.definition, held_bounds.sentence(kept.lost)
     _show(ob, current, definition.pool, after.pool)
     for row in np.flatnonzero((after.pool != start.pool).any(1)).tolist():
         placed.shown[row], placed.origins[row] = after.pool[row].astype(np.float32), start.pool[row]

@@ -12,13 +12,13 @@ from .growing import Moment
 
 def set_definition(data, definition):
     """shape.set_definition() with points that lie elsewhere, and those beside seams that hold; a net that is out shows
-    them there."""
-    definition, rest = keyed_seams.applied(data, definition)
+    them there. Returns in words what does not hold as smoothly as it is to."""
+    definition, rest, lost = keyed_seams.applied(data, definition)
     net = held_net(data)
     if net is None:
         shape.set_definition(data, definition)
         keyed_seams.write(data, rest)
-        return
+        return lost
     current, there = live.session(net.data), net_object.net_of(definition)
     vertices, rows = _placed(current, there)
     faces = shape.set_definition(data, definition)
@@ -29,6 +29,7 @@ def set_definition(data, definition):
     _give_true_types(net, current, there)
     selection.place(net, current.net, vertices, rows)
     live.pull(net, Moment.BUSY)
+    return lost
 
 
 def _give_true_types(net, current, there):

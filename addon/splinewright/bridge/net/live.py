@@ -50,6 +50,7 @@ class Session:
         self.last = None                # the core.net.last_reading.LastReading of the net
         self.placed = holding.Placed()
         self.released = ""              # what holds no more since the net came
+        self.lost = ""                  # what does not hold as smoothly as it is to
         self.keyed_rows = {}            # of bridge.net.keyed_stages
         self._fineness = self.stamp = None      # of the faces, and of the shape when it got them
         self._look = self._last_step = self._next_check = 0.0
@@ -341,7 +342,7 @@ def _follow(data, ob, current, moment):
             definition = holding.followed(data, ob, current, definition)
         except FAILURES as error:
             refused = refused or sentence(error)
-    notes = current.stage.note, found.note, current.released
+    notes = current.stage.note, found.note, current.released, current.lost
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
         return remaking.follow_net(data, definition), found.problem

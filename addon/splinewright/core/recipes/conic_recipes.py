@@ -2,6 +2,7 @@
 
 import math
 
+from .. import deformable
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Result, Parameter, Recipe
@@ -10,7 +11,9 @@ _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", ch
     ("square", "Square", "Four quarters with their outer points on a square"),
     ("triangle", "Triangle", "Three thirds with their outer points on a triangle"),
     ("halves", "Halves", "Two halves, each with a point at infinity"),
-    ("single", "Single", "One span of degree 5, all weights positive")))
+    ("single", "Single", "One span of degree 5, all weights positive"),
+    ("deformable", "Deformable", "No exact one: cubic, without weights and smooth everywhere, to be sculpted; within the tolerance")))
+DEVIATION = Parameter("tolerance", "Tolerance", "How far a deformable one may lie from the exact one", 1e-3, 1e-9, unit='LENGTH')
 
 #: They are half diameters where the points do not lie at right angles.
 _HALF_AXES = (("Half Axis A", "From the centre to the first end, in units of the object; the end moves along it", 0, 1),
@@ -25,8 +28,10 @@ def _five_points(points):
     return _whole(sc.conics.through_points(points))
 
 
-def _ellipse(points, form):
+def _ellipse(points, form, tolerance):
     centre, end_a, end_b = points
+    if form == 'deformable':
+        return Result(*deformable.ellipse(centre, end_a - centre, end_b - centre, tolerance))
     return Result(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
 
 
@@ -48,7 +53,9 @@ def _equation(points, **coefficients):
     return _whole(sc.conics.ImplicitConic([coefficients[name] for name in "abcdef"]))
 
 
-def _circle(points, radius, form):
+def _circle(points, radius, form, tolerance):
+    if form == 'deformable':
+        return Result(*deformable.ellipse((0, 0, 0), (radius, 0, 0), (0, radius, 0), tolerance))
     return Result(sc.conics.circle((0, 0, 0), radius, form=form))
 
 
@@ -80,7 +87,7 @@ RECIPES = (
            _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0)), is_endless=True),
     Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
            ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)), is_endless=True),
-    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM,), _ellipse,
+    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM, DEVIATION), _ellipse,
            ((0, 0, 0), (1, 0, 0), (0, 0.6, 0)), lengths=_HALF_AXES),
     Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
            _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0)), lengths=_HALF_AXES),
@@ -93,8 +100,8 @@ RECIPES = (
            tuple(Parameter(name, name, f"The factor of {term}", default) for name, term, default in (
                ("a", "x²", 1.0), ("b", "xy", 0.0), ("c", "y²", 4.0), ("d", "x", 0.0), ("e", "y", 0.0),
                ("f", "1", -1.0))), _equation),
-    Recipe("circle", "Circle", "An exact circle in one of the usual NURBS forms",
-           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM), _circle),
+    Recipe("circle", "Circle", "An exact circle in one of the usual NURBS forms, or a deformable one",
+           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM, DEVIATION), _circle),
     Recipe("arc", "Circular Arc", "An exact arc of a circle",
            (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'),
             Parameter("start", "Start", "Angle from the x axis", 0.0, unit='ROTATION'),

@@ -7,7 +7,7 @@ import numpy as np
 from .. import flat, joints, meets, verbs
 from ..failures import Refusal
 from ..library import sc
-from .recipe import Parameter, Recipe, Result
+from .recipe import Parameter, Recipe, Result, share_of_size
 from .surface_recipes import AXIS, axis_of
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from where it should be, in the scene", 1e-4, 1e-9,
@@ -21,12 +21,6 @@ _ENDS = (("nearest", "Nearest", "The end that is nearest to the other curve"), (
 
 def _as_result(curves, error=0.0):
     return Result(curves[0] if len(curves) == 1 else curves, error)
-
-
-def share_of_size(definition, share):
-    """A length, in one digit."""
-    places = definition.pool[definition.pool[:, 3] != 0.0, :3]
-    return float(f"{share * np.ptp(places, axis=0).max():.1g}")
 
 
 def _first_distance(inputs):

@@ -113,3 +113,9 @@ class Recipe:
     def start_for(self, values):
         """start, or as many of them as these values of the parameters ask for."""
         return self.start[:self.count_for(values)] if self.count_for else self.start
+
+
+def share_of_size(definition, share):
+    """A length, in one digit."""
+    places = definition.pool[definition.pool[:, 3] != 0.0, :3]
+    return float(f"{share * np.ptp(places, axis=0).max():.1g}")

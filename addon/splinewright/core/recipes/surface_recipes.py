@@ -5,11 +5,13 @@ import math
 import numpy as np
 
 from .. import definition as definitions
+from ..deformable import revolved
 from ..failures import Refusal
 from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
-from .recipe import Result, Parameter, Recipe
+from .conic_recipes import DEVIATION
+from .recipe import Result, Parameter, Recipe, share_of_size
 
 _RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGTH')
@@ -82,9 +84,12 @@ def _patches(patches):
     return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
-def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, caps, frame=None):
+def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, deformable, tolerance, caps, frame=None):
     through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
-    return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])], caps)
+    if not deformable:
+        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])], caps)
+    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs[0])]
+    return capping.result([patch for patch, _ in made], caps, max(error for _, error in made))
 
 
 def axis_of(axis, offset, frame=None):
@@ -101,7 +106,7 @@ def _suggested_axis(inputs):
     definition, = inputs
     places = definition.pool[definition.pool[:, 3] != 0.0, :3]
     width, height = np.ptp(places[:, :2], axis=0).max(), np.abs(places[:, 2]).max()
-    return {'axis': 'y' if height <= _FLAT * width else 'z'}
+    return {'axis': 'y' if height <= _FLAT * width else 'z', 'tolerance': share_of_size(definition, 1e-3) or DEVIATION.default}
 
 
 def _extrude(inputs, x, y, z, caps):
@@ -142,7 +147,10 @@ FROM_CURVES = (
     Recipe("revolve", "Revolve", "The surface of a curve that turns about an axis; it follows when the curve is edited",
            (AXIS, _START, _SWEEP, *(
                Parameter(f"offset_{name}", f"Offset {name.upper()}", f"The axis lies so far along {name} from the origin", 0.0,
-                         unit='LENGTH') for name in _AXES), capping.PARAMETER), _revolve, is_surface=True, resolution=12, inputs=("one curve",),
+                         unit='LENGTH') for name in _AXES),
+             Parameter("deformable", "Deformable", "Cubic around, without weights there and smooth everywhere, to be sculpted: it lies "
+                       "within the tolerance of the exact surface", False), DEVIATION, capping.PARAMETER),
+           _revolve, is_surface=True, resolution=12, inputs=("one curve",),
            frame="About", first_values=_suggested_axis),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",

@@ -4,8 +4,8 @@ import math
 
 from .. import decimals, patch_joints, verbs
 from ..library import sc
-from .meeting_recipes import patches_of, share_of_size
-from .recipe import Parameter, Recipe, Result
+from .meeting_recipes import patches_of
+from .recipe import Parameter, Recipe, Result, share_of_size
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
                        unit='LENGTH', of_scene=True)
@@ -127,7 +127,7 @@ RECIPES = (
            (_continuity("What it shares with the other surface"), _side("first_side", "Its Side", "active"),
             _side("second_side", "Other Side", "other"),
             Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
-            Parameter("strength", "Strength", "How far it follows the other surface", 1.0, 1e-3, 100.0)),
+            Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0)),
            _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
            "Two surfaces that meet in an edge, with a surface in its place that a rolling ball touches; it follows both",

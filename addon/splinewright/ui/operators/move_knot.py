@@ -68,7 +68,8 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error, owner.name)
         return reports.finished(self, reports.Said(f"Knot {self.knot} of {owner.name} at {to:.6g}",
-                                                   warnings=editing.anew(context, nets) if nets else ()))
+                                                   warnings=(*filter(None, [held.lost]),
+                                                             *(editing.anew(context, nets) if nets else ()))))
 
     def draw(self, context):
         column = self.layout.column()
@@ -97,6 +98,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         self._data, self._area = hit.shown.ob.data, context.area
         self._pressed = self._x = event.mouse_x
         self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
+        self._note = ""
         self._drag, self._refused = None, ""
         context.window_manager.modal_handler_add(self)
         context.workspace.status_text_set(_KEYS)
@@ -144,9 +146,10 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             self._to = self._followed(event)
         elif self._typed.number is not None:
             self._to = self._typed.number
-        self._problem = ""
+        self._problem = self._note = ""
         try:
             self._drag.show(self._to)
+            self._note = self._drag.lost
         except FAILURES as error:
             self._problem = sentence(error)
         self._area.header_text_set(self._text())
@@ -164,7 +167,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
 
     def _text(self):
         number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
-        return f"Knot {self.knot} at {number}: {self._problem or knot_strip.where(self._bar, self._mark)}"
+        return f"Knot {self.knot} at {number}: {self._problem or self._note or knot_strip.where(self._bar, self._mark)}"
 
     def _let_go(self, context):
         is_moved = self._drag is not None and self._to != self._bar.values[self._mark]

@@ -85,7 +85,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}"))
+        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
+                                                      warnings=tuple(filter(None, [held.lost]))))
 
     def draw(self, context):
         ob = self._owner(context)
@@ -250,6 +251,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         try:
             after = self._pulled(drag.held.definition, drag.ob)
             drag.held.show(after)
+            problem = drag.held.lost and f"  {drag.held.lost}"
             points, parts = pulls.followers(drag.held.definition, after)
             end = state.pulled.start + _into(drag.ob) @ self._typed()
             lines = self._handle(after, self._at(after))[1]

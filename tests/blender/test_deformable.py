@@ -1,0 +1,76 @@
+"""Revolves and circles to be sculpted, and the creases that the panel lists where exact ones were pulled."""
+
+import bpy
+import numpy as np
+import pytest
+
+from layouts import drawn_by
+from shapes import activate, add, enter, leave, op, require_exact
+from support import part, splinecore as sc
+from test_files import reopen, save
+from test_surfaces import add_recipe
+
+overlay, recipes, surveys = part('ui.seams_overlay'), part('bridge.recipes'), part('bridge.surveys')
+
+
+def vase(**settings):
+    activate(add(sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(1, 0, 0), (1.5, 0, 1), (0.5, 0, 2), (0.8, 0, 2.5), (1, 0, 3)])))
+    return add_recipe('revolve', **settings)
+
+
+def pull(ob):
+    activate(ob)
+    op(bpy.ops.splinewright.make_editable)
+    u = ob.data.splinewright.value.domain[0]
+    assert op(bpy.ops.splinewright.pull_here, piece=1, parameter_u=u[0] + 0.22 * (u[1] - u[0]), parameter_v=1.0,
+              vector=(0.4, 0.2, 0)) == {'FINISHED'}
+
+
+def test_a_revolve_is_exact_unless_asked_and_says_how_near_it_is():
+    ob = vase()
+    assert recipes.read(ob.data).values['deformable'] is False
+    assert 1e-4 < recipes.read(ob.data).values['tolerance'] < 1e-2      # by its size
+    before = ob.data.splinewright.value
+    ob.data.splinewright_parameters.revolve_deformable = True
+    after = ob.data.splinewright.value
+    require_exact(ob)
+    assert after != before and (after.weights == 1).all() and after.periodic[0]
+    assert any("ithin" in text for text in drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    ob.data.splinewright_parameters.revolve_tolerance = 1e-5
+    assert len(ob.data.splinewright.value.points) > len(after.points)
+
+
+def test_a_pulled_exact_one_lists_its_creases_and_colours_them():
+    ob = vase()
+    drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
+    assert "No seams" in drawn.texts and "4 knots inside" in " ".join(drawn.texts)
+    pull(ob)
+    survey = surveys.survey_of(ob.data)
+    assert survey.count and all(joint.name.startswith("crease u") for joint in survey.joints)
+    drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
+    assert "crease u 1" in drawn.texts and "splinewright.hold_seam" not in drawn.operators
+    assert len(overlay.coloured_lines(ob.data)) == survey.count
+    enter()
+    assert "crease u 1" in drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context).texts
+    leave()
+
+
+def test_a_pulled_deformable_one_stays_smooth(tmp_path):
+    ob = vase(deformable=True)
+    pull(ob)
+    name = ob.name
+    assert surveys.survey_of(ob.data)[1:] == (0, 0)
+    save(tmp_path / "soft.blend")
+    reopen(tmp_path / "soft.blend")
+    assert surveys.survey_of(bpy.data.objects[name].data)[1:] == (0, 0)
+
+
+@pytest.mark.parametrize('kind', ('circle', 'ellipse'))
+def test_circles_and_ellipses_may_be_deformable(kind):
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}")) == {'FINISHED'}
+    ob = bpy.context.object
+    setattr(ob.data.splinewright_parameters, f"{kind}_form", 'deformable')
+    value = ob.data.splinewright.value
+    assert value.periodic and value.degree == 3 and (value.weights == 1).all()
+    require_exact(ob)
+    assert np.isfinite(value.points).all()
