@@ -18,6 +18,7 @@
 #include "round_filling.hpp"
 #include "seen_filling.hpp"
 #include "star_filling.hpp"
+#include "star_knots.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
