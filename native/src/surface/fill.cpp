@@ -15,6 +15,7 @@
 #include "hole_borders.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
+#include "patch_folds.hpp"
 #include "round_filling.hpp"
 #include "seen_filling.hpp"
 #include "star_filling.hpp"
@@ -124,7 +125,7 @@ Filling round_filled(Hole hole, const FillLimits& limits, LeavingWay leaving) {
 /// Whether normals turn round in a patch, or from one to the next.
 bool is_folded(const Filling& filling) {
   constexpr double kUpright = 0.5 * std::numbers::pi;
-  return filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, [](const NurbsPatch& patch) { return is_folded(patch); });
+  return filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, [](const NurbsPatch& patch) { return fold_of(patch).has_value(); });
 }
 
 /// In the second way where the first one folds.
@@ -202,12 +203,19 @@ Filling filled(Hole& hole, const FillLimits& limits) {
   return exact && !is_better ? *exact : star;
 }
 
-void require_unfolded(const Filling& filling) {
-  if (filling.angle > 0.5 * std::numbers::pi) {
+void require_unfolded(const Filling& filling, const NearSpace& space) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  if (filling.angle > kUpright) {
     throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
   }
-  if (!is_folded(filling)) return;
-  throw InvalidShape("the filling turns back over itself: its sides, or what goes on from their neighbours, leave no surface without a fold");
+  const std::string why = ": its sides, or what goes on from their neighbours, leave no surface without a fold";
+  for (const NurbsPatch& patch : filling.patches) {
+    const std::optional<glm::dvec3> fold = fold_of(patch);
+    if (!fold) continue;
+    const glm::dvec3 at = space.leave(*fold);
+    throw InvalidShape("the filling turns back over itself at (" + text_of(at.x) + ", " + text_of(at.y) + ", " + text_of(at.z) + ")" + why);
+  }
+  if (filling.inner_angle > kUpright) throw InvalidShape("the filling turns back over itself where its patches meet" + why);
 }
 
 /// Of the borders, not of what lies beyond.
@@ -220,7 +228,7 @@ double size_of(std::span<const FillSide> sides) {
   return NearSpace(all).length(1.0);
 }
 
-Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
+Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits, const NearSpace& space) {
   std::vector<NurbsCurve> curves;
   for (const FillSide& side : sides) curves.push_back(curve_of(side));
   const BorderLoop loop = border_loop(curves, limits.gap);
@@ -233,7 +241,7 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
   if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
-  require_unfolded(filling);
+  require_unfolded(filling, space);
   filling.gap += loop.error;
   return filling;
 }
@@ -247,7 +255,7 @@ Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
   std::vector<FillSide> near;
   for (const FillSide& side : sides) near.push_back(entered(side, space));
   const FillLimits limits{options.tolerance ? *options.tolerance / unit : 0x1p-20 * size_of(near), options.angle};
-  Filling filling = said_outside(space, [&] { return fill_near(near, limits); });
+  Filling filling = said_outside(space, [&] { return fill_near(near, limits, space); });
   for (NurbsPatch& patch : filling.patches) patch = patch.with_points(space.leave(patch.points()));
   filling.gap = space.length(filling.gap);
   filling.curvature_difference /= unit;

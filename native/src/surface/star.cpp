@@ -208,35 +208,61 @@ SpokeConditions conditions_of(const Star& star, const Unknowns& unknowns) {
   return all;
 }
 
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// A form, whole, in unknowns by which its diagonal is 1: else what is stiff in it hides what is not.
+struct EvenForm {
+  Eigen::VectorXd scale;  ///< of the unknowns
+  Sparse left;
+  Eigen::MatrixXd right;
+
+  explicit EvenForm(const Form& form) : right(form.right) {
+    const Sparse given = form.left();
+    scale = given.diagonal().cwiseSqrt().cwiseInverse();
+    left = scale.asDiagonal() * Sparse(given.selfadjointView<Eigen::Lower>()) * scale.asDiagonal();
+    right = scale.asDiagonal() * form.right;
+  }
+};
+
+/// The least by itself; what is left of it is added until rounding is all.
+Eigen::MatrixXd least_of(const EvenForm& form) {
+  constexpr int kRounds = 4;
+  const Eigen::SimplicialLDLT<Sparse> solver(form.left);
+  Eigen::MatrixXd points = solver.solve(form.right);
+  for (int round = 0; round < kRounds; ++round) points += solver.solve(form.right - form.left * points);
+  return form.scale.asDiagonal() * points;
+}
+
 /// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969). Each round adds what
 /// is left, of the form and of the conditions by themselves: their sum has lost digits of the form.
-Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
+Eigen::MatrixXd least(const Form& given, const SpokeConditions& conditions) {
   constexpr int kLeastRounds = 12;
   constexpr int kMostRounds = 100;
   constexpr double kSlow = 0.95;
   constexpr double kFirm = 1e7;
   constexpr double kLoose = 1e-4;  // first, for conditions may hide how large the form is in their common directions
   constexpr double kNear = 1e-13;  // to the round before, of the diagonal, for the same reason
-  const Index count = form.right.rows();
+  const Index count = given.right.rows();
   if (count == 0) return Eigen::MatrixXd(0, 3);
-  const Eigen::SparseMatrix<double> energy = form.left();
-  if (conditions.right.empty()) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(energy).solve(form.right);
-  const Eigen::SparseMatrix<double> left = matrix_of(std::ssize(conditions.right), count, conditions.left);
+  const EvenForm form(given);
+  if (conditions.right.empty()) return least_of(form);
+  const Sparse left = matrix_of(std::ssize(conditions.right), count, conditions.left) * form.scale.asDiagonal();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(std::ssize(conditions.right), 3);
   for (Index i = 0; i < right.rows(); ++i) add_vector(right, i, conditions.right[static_cast<std::size_t>(i)]);
-  const double firm = kFirm * energy.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
-  const Eigen::SparseMatrix<double> back = left.transpose();
+  const double firm = kFirm * static_cast<double>(count) / std::max(left.squaredNorm(), 1e-300);
+  const Sparse back = left.transpose();
   Eigen::MatrixXd points = Eigen::MatrixXd::Zero(count, 3);
   Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(right.rows(), 3);
   for (const double share : {kLoose, 1.0}) {
-    const Eigen::SparseMatrix<double> whole = energy + share * firm * (back * left);
+    const Sparse whole = form.left + share * firm * (back * left);
     const Eigen::VectorXd near = kNear * whole.diagonal();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(whole + Eigen::SparseMatrix<double>(near.asDiagonal()));
+    const Eigen::SimplicialLDLT<Sparse> solver(whole + Sparse(near.asDiagonal()));
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds; ++round) {
       breathe(static_cast<std::size_t>(whole.nonZeros()));
       const Eigen::MatrixXd pull = back * (multipliers + share * firm * (left * points - right));
-      points += solver.solve(form.right - energy.selfadjointView<Eigen::Lower>() * points - pull);
+      const Eigen::MatrixXd change = solver.solve(form.right - form.left * points - pull);
+      points += change;
       const Eigen::MatrixXd off = left * points - right;
       multipliers += share * firm * off;
       const double size = off.norm();
@@ -244,7 +270,7 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
       before = size;
     }
   }
-  return points;
+  return form.scale.asDiagonal() * points;
 }
 
 /// Which points conditions along spokes are of, by number.

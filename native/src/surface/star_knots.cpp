@@ -76,13 +76,13 @@ std::size_t StarKnots::points() const {
 }
 
 KnotVector StarKnots::of_run(std::size_t run, int spans) const {
-  const int stretches = static_cast<int>(inner_[run].size()) + 1;
-  const int parts = (spans + stretches - 1) / stretches;
+  constexpr double kRounding = 1e-9;
   std::vector<SideKnot> ends = inner_[run];
   ends.push_back({1.0, degree_ + 1});
   std::vector<double> knots(static_cast<std::size_t>(degree_) + 1, 0.0);
   for (const SideKnot& one : ends) {
     const double start = knots.back();
+    const int parts = static_cast<int>(std::max(1.0, std::ceil((one.at - start) * spans - kRounding)));
     for (int k = 1; k < parts; ++k) knots.push_back(start + (one.at - start) * k / parts);
     knots.insert(knots.end(), static_cast<std::size_t>(one.copies), one.at);
   }

@@ -22,7 +22,7 @@ class StarKnots {
  public:
   explicit StarKnots(const Hole& hole);
 
-  /// Each stretch between inner knots of sides in as many spans as make at least so many in all.
+  /// Each stretch between inner knots of sides in spans so short that as many would make the whole.
   std::vector<KnotPair> with(int spans) const;
 
   /// Whether so many are as many as there may be: for smaller angles, or at all.
