@@ -221,9 +221,36 @@ void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole) {
   for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1});
 }
 
+glm::dvec3 point_at(const NurbsPatch& patch, double u, double v) {
+  glm::dvec3 point;
+  evaluate(patch, std::span(&u, 1), std::span(&v, 1), std::span(&point.x, 3));
+  return point;
+}
+
+/// Which ends of the patch's domain a cell has, along u and v: 0 or 1; none unless it has one of both.
+std::optional<std::array<std::size_t, 2>> corner_in(const NurbsPatch& patch, const FoldCell& cell) {
+  const auto end_of = [&](Axis axis, const std::array<double, 2>& part) -> std::optional<std::size_t> {
+    const Interval domain = patch.knot_vector(axis).domain();
+    if (part[0] == domain.start) return 0;
+    return part[1] == domain.end ? std::optional<std::size_t>(1) : std::nullopt;
+  };
+  const auto u = end_of(Axis::u, cell.u);
+  const auto v = end_of(Axis::v, cell.v);
+  return u && v ? std::optional(std::array{*u, *v}) : std::nullopt;
+}
+
+/// Whether a cell ends within a tolerance of its corner.
+bool is_small(const NurbsPatch& patch, const FoldCell& cell, const std::array<std::size_t, 2>& corner, double tolerance) {
+  const auto [u, v] = corner;
+  const glm::dvec3 at = point_at(patch, cell.u[u], cell.v[v]);
+  const auto is_near = [&](double x, double y) { return distance_of(point_at(patch, x, y), at) <= tolerance; };
+  return is_near(cell.u[1 - u], cell.v[v]) && is_near(cell.u[u], cell.v[1 - v]) && is_near(cell.u[1 - u], cell.v[1 - v]);
+}
+
 /// A place within one span either way.
-std::optional<std::array<double, 2>> fold_within(const FoldCell& whole) {
+std::optional<std::array<double, 2>> fold_within(const NurbsPatch& patch, const FoldCell& whole, double tolerance) {
   constexpr int kMostHalvings = 12;
+  constexpr int kMostInCorner = 48;
   constexpr int kCoarse = 2;
   constexpr std::size_t kMostCells = 0x1p14;
   std::vector<DeepCell> left{{whole, 0}};
@@ -234,7 +261,9 @@ std::optional<std::array<double, 2>> fold_within(const FoldCell& whole) {
     const double length = length_of(normal);
     if (length > 0.0 && turns_one_way(one.cell, normal / length)) continue;
     if (length > 0.0 && one.depth >= kCoarse && is_upright(one.cell, normal / length)) continue;
-    if (one.depth == kMostHalvings || seen == kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
+    const auto corner = corner_in(patch, one.cell);
+    if (corner && is_small(patch, one.cell, *corner, tolerance)) continue;
+    if (one.depth >= (corner ? kMostInCorner : kMostHalvings) || seen == kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
     add_quarters(left, one);
   }
   return {};
@@ -283,24 +312,18 @@ std::optional<std::array<double, 2>> fold_at_creases(const NurbsPatch& patch, Ax
   return {};
 }
 
-glm::dvec3 point_of(const NurbsPatch& patch, const std::array<double, 2>& place) {
-  glm::dvec3 point;
-  evaluate(patch, std::span(&place[0], 1), std::span(&place[1], 1), std::span(&point.x, 3));
-  return point;
-}
-
 }  // namespace
 
-std::optional<glm::dvec3> fold_of(const NurbsPatch& patch) {
+std::optional<glm::dvec3> fold_of(const NurbsPatch& patch, double tolerance) {
   for (int i = 0; i < static_cast<int>(patch.knot_vector(Axis::u).spans().size()); ++i) {
     for (int k = 0; k < static_cast<int>(patch.knot_vector(Axis::v).spans().size()); ++k) {
-      const auto place = fold_within(cell_of(patch, i, k));
-      if (place) return point_of(patch, *place);
+      const auto place = fold_within(patch, cell_of(patch, i, k), tolerance);
+      if (place) return point_at(patch, (*place)[0], (*place)[1]);
     }
   }
   for (const Axis axis : {Axis::u, Axis::v}) {
     const auto place = fold_at_creases(patch, axis);
-    if (place) return point_of(patch, *place);
+    if (place) return point_at(patch, (*place)[0], (*place)[1]);
   }
   return {};
 }
