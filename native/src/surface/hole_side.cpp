@@ -176,7 +176,8 @@ void HoleSide::bend_onward(double least) {
     const std::string why = is_at_start                        ? " at its start, for the side before it runs on the neighbour's side there"
                             : !one.piece.leaves_onward(true) ? " at its end, for the side behind it runs on the neighbour's side there"
                                                              : ", for it turns too much or changes its pace too fast";
-    throw InvalidShape("what leaves " + one.piece.name() + " turns back over its neighbour" + why + ": no surface goes on there without a fold");
+    throw InvalidShape("what leaves " + one.piece.name() + " turns back over its neighbour" + why +
+                       ": no surface goes on there without a fold");
   }
 }
 

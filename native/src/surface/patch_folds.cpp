@@ -107,7 +107,8 @@ struct FoldCell {
 VectorNet derivative_along(const BernsteinNet<glm::dvec4>& piece, Axis axis, bool is_rational) {
   const BernsteinNet<glm::dvec4> slopes = piece.derivative(axis);
   if (is_rational) {
-    return product<glm::dvec3>(slopes, piece, [](const glm::dvec4& d, const glm::dvec4& p) { return glm::dvec3(d) * p.w - glm::dvec3(p) * d.w; });
+    const auto turned = [](const glm::dvec4& d, const glm::dvec4& p) { return glm::dvec3(d) * p.w - glm::dvec3(p) * d.w; };
+    return product<glm::dvec3>(slopes, piece, turned);
   }
   VectorNet made{slopes.rows, slopes.columns, {}};
   for (const glm::dvec4& d : slopes.values) made.values.emplace_back(d);
@@ -244,7 +245,8 @@ bool is_small(const NurbsPatch& patch, const FoldCell& cell, const std::array<st
   const auto [u, v] = corner;
   const glm::dvec3 at = point_at(patch, cell.u[u], cell.v[v]);
   const auto is_near = [&](double x, double y) { return distance_of(point_at(patch, x, y), at) <= tolerance; };
-  return is_near(cell.u[1 - u], cell.v[v]) && is_near(cell.u[u], cell.v[1 - v]) && is_near(cell.u[1 - u], cell.v[1 - v]);
+  return is_near(cell.u[1 - u], cell.v[v]) && is_near(cell.u[u], cell.v[1 - v]) &&
+         is_near(cell.u[1 - u], cell.v[1 - v]);
 }
 
 /// A place within one span either way.
@@ -279,7 +281,8 @@ double crease_limit(const NurbsPatch& patch, Axis axis, double knot) {
   return std::cos(std::clamp(turn, 0.5 * std::numbers::pi, std::numbers::pi));
 }
 
-std::vector<glm::dvec3> normals_along(const NurbsPatch& patch, Axis axis, double knot, const std::vector<double>& along, Side side) {
+std::vector<glm::dvec3> normals_along(const NurbsPatch& patch, Axis axis, double knot, const std::vector<double>& along,
+                                      Side side) {
   const std::vector<double> at(along.size(), knot);
   std::vector<glm::dvec3> values(3 * along.size());
   const bool is_u = axis == Axis::u;

@@ -46,7 +46,9 @@ std::vector<SideKnot> without_copies(std::vector<SideKnot> all) {
 }  // namespace
 
 StarKnots::StarKnots(const Hole& hole)
-    : degree_(hole.continuity() == 2 ? 7 : 5), patches_(hole.share == 1.0 ? 1 : hole.sides.size()), inner_(std::max<std::size_t>(patches_, 2)) {
+    : degree_(hole.continuity() == 2 ? 7 : 5),
+      patches_(hole.share == 1.0 ? 1 : hole.sides.size()),
+      inner_(std::max<std::size_t>(patches_, 2)) {
   constexpr std::size_t kMostPoints = 0x1p21;
   for (const PartOfSide& part : star_parts(hole)) {
     const Axis axis = axis_of(part.border) == Axis::u ? Axis::v : Axis::u;
