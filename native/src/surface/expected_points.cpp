@@ -81,17 +81,18 @@ std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePla
   if (!plane) return {};
   const auto heights = heights_of(sides, *plane);
   if (!heights) return {};
-  const std::vector<double> at = greville_places(star.knots);
   std::vector<glm::dvec3> found(star.size(), glm::dvec3(0.0));
-  for (std::size_t k = 0; k < star.count; ++k) {
-    std::vector<glm::dvec3> grid(at.size() * at.size());
-    evaluate_grid(patches[k], at, at, std::span(&grid.front().x, 3 * grid.size()));
+  for (std::size_t k = 0; k < star.count(); ++k) {
+    const std::vector<double> u = greville_places(star.along(k, Axis::u));
+    const std::vector<double> v = greville_places(star.along(k, Axis::v));
+    std::vector<glm::dvec3> grid(u.size() * v.size());
+    evaluate_grid(patches[k], u, v, std::span(&grid.front().x, 3 * grid.size()));
     std::vector<double> values;
     for (const glm::dvec3& p : grid) values.push_back(terms_at(plane->at(p)) * *heights);
-    const std::vector<double> controls = grid_controls(star.knots, values);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      for (std::size_t j = 0; j < at.size(); ++j) {
-        found[star.at(k, i, j)] = plane->size * controls[i * at.size() + j] * plane->normal;
+    const std::vector<double> controls = grid_controls(star.along(k, Axis::u), star.along(k, Axis::v), values);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (std::size_t j = 0; j < v.size(); ++j) {
+        found[star.at(k, i, j)] = plane->size * controls[i * v.size() + j] * plane->normal;
       }
     }
   }
@@ -128,7 +129,7 @@ std::vector<glm::dvec3> bicubic_points(const Hole& hole, const Star& star, const
 std::vector<glm::dvec3> expected_points(const Hole& hole, const Star& star, std::span<const NurbsPatch> patches) {
   const auto has_neighbour = [](const HoleSide& side) { return side.continuity() > 0; };
   if (std::ranges::none_of(hole.sides, has_neighbour)) return {};
-  if (star.count == 1) return bicubic_points(hole, star, patches[0]);
+  if (star.count() == 1) return bicubic_points(hole, star, patches[0]);
   std::vector<std::vector<HolePlace>> sides;
   for (const HoleSide& side : hole.sides) sides.push_back(places_along(side));
   return heights_over_plane(sides, star, patches);

@@ -61,11 +61,11 @@ class Fan {
  public:
   Fan(const ControlMesh& mesh, const MeshTopology& topology, const ControlMesh& finer, const MeshTopology& finer_topology, int point)
       : mesh_(mesh), topology_(topology), finer_(finer), finer_topology_(finer_topology), point_(point),
-        star_{KnotVector::bezier(kDegree), topology.fan(point).size(), topology.is_on_border(point), kOrders} {}
+        star_{std::vector(topology.fan(point).size(), KnotPair{knots_, knots_}), topology.is_on_border(point), kOrders} {}
 
   std::vector<NurbsPatch> patches() const {
     StarClaims claims(star_);
-    for (std::size_t k = 0; k < star_.count; ++k) claim_sides(claims, k);
+    for (std::size_t k = 0; k < star_.count(); ++k) claim_sides(claims, k);
     if (star_.is_open) claim_borders(claims);
     claims.add(0, kDegree, kDegree, limit(), 0);
     std::vector<glm::dvec3> points = solved_star(star_, claims.points());
@@ -74,12 +74,12 @@ class Fan {
       points = solved_star(star_, claims.points());
     }
     std::vector<NurbsPatch> made;
-    for (std::size_t k = 0; k < star_.count; ++k) {
+    for (std::size_t k = 0; k < star_.count(); ++k) {
       std::vector<glm::dvec4> net;
       for (std::size_t i = 0; i <= kDegree; ++i) {
         for (std::size_t j = 0; j <= kDegree; ++j) net.emplace_back(points[star_.at(k, i, j)], 1.0);
       }
-      made.push_back(NurbsPatch::make(star_.knots, star_.knots, std::move(net)));
+      made.push_back(NurbsPatch::make(knots_, knots_, std::move(net)));
     }
     return made;
   }
@@ -97,9 +97,9 @@ class Fan {
     const int across = topology_.next(topology_.next(spoke(k)));  // begins at the corner across from the point
     const OuterSide first(part(across, 0, Axis::u), part(topology_.next(across), 3, Axis::u));
     const OuterSide second(part(across, 0, Axis::v), part(topology_.before(across), 1, Axis::v));
-    const std::vector<double> places = interpolation_places(star_.knots);
-    const auto along_u = rows_beside(star_.knots, star_.knots, first.across(places));
-    const auto along_v = rows_beside(star_.knots, star_.knots, second.across(places));
+    const std::vector<double> places = interpolation_places(knots_);
+    const auto along_u = rows_beside(knots_, knots_, first.across(places));
+    const auto along_v = rows_beside(knots_, knots_, second.across(places));
     for (std::size_t r = 0; r < kOrders; ++r) {
       for (std::size_t i = 0; i <= kDegree; ++i) {
         claims.add(k, i, r, along_u[r][i], static_cast<int>(r));
@@ -119,12 +119,12 @@ class Fan {
   std::vector<glm::dvec3> border(int beside, int behind, bool is_before) const {
     const std::array<glm::dvec3, 4> p{further(beside, is_before), at(beside), at(point_), at(behind)};
     std::vector<glm::dvec3> points;
-    for (const double s : interpolation_places(star_.knots)) {
+    for (const double s : interpolation_places(knots_)) {
       const double t = 1.0 - s;
       points.push_back((t * t * t * p[0] + (3.0 * s * s * s - 6.0 * s * s + 4.0) * p[1] +
                         (3.0 * t * t * t - 6.0 * t * t + 4.0) * p[2] + s * s * s * p[3]) / 6.0);
     }
-    return rows_beside(star_.knots, star_.knots, {points})[0];
+    return rows_beside(knots_, knots_, {points})[0];
   }
 
   int first_beside() const { return topology_.to(topology_.fan(point_).front()); }
@@ -135,13 +135,13 @@ class Fan {
     const auto last = border(last_beside(), first_beside(), true);
     for (std::size_t i = 0; i <= kDegree; ++i) {
       claims.add(0, i, kDegree, first[i], 0);
-      claims.add(star_.count - 1, kDegree, i, last[i], 0);
+      claims.add(star_.count() - 1, kDegree, i, last[i], 0);
     }
   }
 
   /// Where an edge leads to, from the point, of which an open star has one more than faces.
   glm::dvec3 edge(std::size_t k) const {
-    return (k < star_.count ? at(topology_.to(spoke(k))) : at(last_beside())) - at(point_);
+    return (k < star_.count() ? at(topology_.to(spoke(k))) : at(last_beside())) - at(point_);
   }
 
   /// To the corner across a face.
@@ -151,7 +151,7 @@ class Fan {
 
   /// Where more than three faces meet on the border, what is across it comes closer no faster than what is along it: the
   /// scheme has no tangent plane there.
-  bool has_normal() const { return !star_.is_open || star_.count == 3; }
+  bool has_normal() const { return !star_.is_open || star_.count() == 3; }
 
   /// Across both limit tangents of the surface at the point, but not of unit length.
   glm::dvec3 limit_normal() const {
@@ -166,10 +166,10 @@ class Fan {
   }
 
   std::array<glm::dvec3, 2> tangents_inside() const {
-    const double angle = 2.0 * std::numbers::pi / static_cast<double>(star_.count);
+    const double angle = 2.0 * std::numbers::pi / static_cast<double>(star_.count());
     const double weight = edge_weight(angle);
     std::array<glm::dvec3, 2> tangents{glm::dvec3(0.0), glm::dvec3(0.0)};
-    for (std::size_t k = 0; k < star_.count; ++k) {
+    for (std::size_t k = 0; k < star_.count(); ++k) {
       const double a = angle * static_cast<double>(k);
       tangents[0] += weight * std::cos(a) * edge(k) + (std::cos(a) + std::cos(a + angle)) * face(k);
       tangents[1] += weight * std::sin(a) * edge(k) + (std::sin(a) + std::sin(a + angle)) * face(k);
@@ -179,13 +179,13 @@ class Fan {
 
   /// Along the border, and across it: the left eigenvector of a round whose right one is 0 on the border.
   std::array<glm::dvec3, 2> tangents_on_border() const {
-    const double angle = std::numbers::pi / static_cast<double>(star_.count);
+    const double angle = std::numbers::pi / static_cast<double>(star_.count());
     const double weight = edge_weight(angle);
     const double factor = (weight + 4.0) / 16.0;  // of a round
     glm::dvec3 across(0.0);
     double faces = 0.0;
     double edges = 0.0;
-    for (std::size_t k = 0; k < star_.count; ++k) {
+    for (std::size_t k = 0; k < star_.count(); ++k) {
       const double a = angle * static_cast<double>(k);
       across += weight * std::sin(a) * edge(k) + (std::sin(a) + std::sin(a + angle)) * face(k);
       edges += weight * std::sin(a);
@@ -195,8 +195,8 @@ class Fan {
     const double beside = std::sin(angle) / 4.0 + weight * std::sin(angle) / 16.0;
     const double own = faces / 4.0 + 3.0 * edges / 8.0;
     const double end = (beside * (factor - 0.75) + own / 8.0) / ((factor - 0.5) * (factor - 0.75) - 0.125);
-    across += end * (edge(0) + edge(star_.count));
-    return {edge(star_.count) - edge(0), across};
+    across += end * (edge(0) + edge(star_.count()));
+    return {edge(star_.count()) - edge(0), across};
   }
 
   /// The points next to the middle, as they were found, are moved into the tangent plane of the surface.
@@ -206,7 +206,7 @@ class Fan {
     constexpr double kRounding = 0x1p-40;
     if (!(size > kRounding)) return;
     const glm::dvec3 middle = limit();
-    for (std::size_t k = 0; k + (star_.is_open ? 1 : 0) < star_.count; ++k) {
+    for (std::size_t k = 0; k < star_.inner_spokes(); ++k) {
       const glm::dvec3& found = points[star_.at(k, kDegree, kDegree - 1)];
       const glm::dvec3 up = glm::dot(found - middle, normal) / size * (normal / size);
       claims.add(k, kDegree, kDegree - 1, found - up, 0);
@@ -216,7 +216,7 @@ class Fan {
   /// Where the point converges to.
   glm::dvec3 limit() const {
     if (star_.is_open) return (at(first_beside()) + 4.0 * at(point_) + at(last_beside())) / 6.0;
-    const auto n = static_cast<double>(star_.count);
+    const auto n = static_cast<double>(star_.count());
     glm::dvec3 sum = n / (n + 5.0) * at(point_);
     for (const int side : topology_.fan(point_)) {
       const int across = topology_.next(topology_.next(side));
@@ -230,6 +230,7 @@ class Fan {
   const ControlMesh& finer_;
   const MeshTopology& finer_topology_;
   int point_;
+  KnotVector knots_ = KnotVector::bezier(kDegree);
   Star star_;
 };
 

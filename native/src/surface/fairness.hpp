@@ -15,8 +15,5 @@ struct SurfaceBending {
 
 SurfaceBending bending_of(std::span<const NurbsPatch> patches);
 
-/// Whether the normals of a patch turn round from one place to one right beside it; at a crease, more sharply than its borders.
-bool is_folded(const NurbsPatch& patch);
-
 }  // namespace splinecore
 #pragma GCC visibility pop

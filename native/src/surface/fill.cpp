@@ -15,9 +15,11 @@
 #include "hole_borders.hpp"
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
+#include "patch_folds.hpp"
 #include "round_filling.hpp"
 #include "seen_filling.hpp"
 #include "star_filling.hpp"
+#include "star_knots.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -78,6 +80,12 @@ int least_degree(const Hole& hole) {
   return least;
 }
 
+/// By more than rounding and what else is the same in both make of it: angles at corners that nobody can mend are in all fillings.
+bool is_less(double angle, double other) {
+  constexpr double kAbout = 0.98;
+  return angle < kAbout * other;
+}
+
 /// One patch that has its sides exactly, of as low a degree as its neighbours allow; where that is none, of those the one with the
 /// least angle to them. None without such a patch.
 std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limits) {
@@ -93,12 +101,18 @@ std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limi
     const BicubicSum sum = bicubic_sum(borders.along_u, borders.along_v, degree);
     if (!have_positive_weights(sum.patch.points())) return best;
     Filling filling = seen_along_sides(hole, star_parts(hole), {sum.patch});
-    if (filling.gap > limits.gap || (best && best->angle <= filling.angle)) continue;
+    if (filling.gap > limits.gap || (best && !is_less(filling.angle, best->angle))) continue;
     filling.patches = {sum.patch};
     best = std::move(filling);
     if (limits.are_met(*best)) return best;
   }
   return best;
+}
+
+std::vector<PartOfSide> round_parts(const Hole& hole) {
+  std::vector<PartOfSide> parts;
+  for (std::size_t i = 0; i < hole.sides.size(); ++i) parts.push_back({i, 0.0, 1.0, i, Border::v_start});
+  return parts;
 }
 
 /// Patches from the sides of a round hole to one point; with the highest degree where the limits are not met.
@@ -107,8 +121,7 @@ Filling round_filled(Hole hole, const FillLimits& limits, LeavingWay leaving) {
   constexpr int kForCurvatures = 7;
   const Apex apex = apex_of(hole, leaving);
   agree_round(hole, apex);
-  std::vector<PartOfSide> parts;
-  for (std::size_t i = 0; i < hole.sides.size(); ++i) parts.push_back({i, 0.0, 1.0, i, Border::v_start});
+  const std::vector<PartOfSide> parts = round_parts(hole);
   for (int degree = std::max(least_degree(hole), hole.continuity() == 2 ? kForCurvatures : 0);; ++degree) {
     const bool is_last = degree >= kMostDegree;
     std::vector<NurbsPatch> patches = round_filling(hole, apex, degree);
@@ -121,15 +134,16 @@ Filling round_filled(Hole hole, const FillLimits& limits, LeavingWay leaving) {
 }
 
 /// Whether normals turn round in a patch, or from one to the next.
-bool is_folded(const Filling& filling) {
+bool is_folded(const Filling& filling, const FillLimits& limits) {
   constexpr double kUpright = 0.5 * std::numbers::pi;
-  return filling.inner_angle > kUpright || std::ranges::any_of(filling.patches, [](const NurbsPatch& patch) { return is_folded(patch); });
+  return filling.inner_angle > kUpright ||
+         std::ranges::any_of(filling.patches, [&](const NurbsPatch& patch) { return fold_of(patch, limits.gap).has_value(); });
 }
 
 /// In the second way where the first one folds.
 Filling round_filled(const Hole& hole, const FillLimits& limits) {
   Filling filling = round_filled(hole, limits, LeavingWay::straight_on);
-  return is_folded(filling) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
+  return is_folded(filling, limits) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
 }
 
 /// Patches round a point, or one; with the most spans where the limits are not met. None where the sides are not reached.
@@ -141,7 +155,10 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) continue;
     if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
-    if (filling.gap > limits.gap) return filling;
+    if (filling.gap > limits.gap) {
+      filling.patches = claimed.patches();
+      return filling;
+    }
     filling.patches = solved(hole, claimed, guide);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;
@@ -155,8 +172,8 @@ struct FillCandidate {
   SurfaceBending bending;
 };
 
-FillCandidate candidate_of(Filling filling) {
-  const bool folds = is_folded(filling);
+FillCandidate candidate_of(Filling filling, const FillLimits& limits) {
+  const bool folds = is_folded(filling, limits);
   const SurfaceBending bending = folds ? SurfaceBending() : bending_of(filling.patches);
   return {std::move(filling), folds, bending};
 }
@@ -177,36 +194,72 @@ Filling fairer(FillCandidate plain, FillCandidate guided, const FillLimits& limi
 
 /// Patches round a point, that go by a guide where that bends less.
 Filling fairest_star(const Hole& plain_hole, Hole guided_hole, const FillLimits& limits) {
-  FillCandidate plain = candidate_of(star_filled(plain_hole, nullptr, limits));
+  FillCandidate plain = candidate_of(star_filled(plain_hole, nullptr, limits), limits);
   const bool is_reached = plain.filling.gap <= limits.gap;
   const std::optional<HoleGuide> guide = is_reached ? HoleGuide::of(guided_hole) : std::nullopt;
   if (!guide) return std::move(plain.filling);
   const std::optional<SurfaceBending> least = guided_bending(guided_hole, *guide);
   if (!plain.is_folded && (!least || is_fair(plain.bending, *least))) return std::move(plain.filling);
   agree_at_corners(guided_hole, &*guide);
-  return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits)), limits);
+  return fairer(std::move(plain), candidate_of(star_filled(guided_hole, &*guide, limits), limits), limits);
+}
+
+bool goes_on_somewhere(const Hole& hole) {
+  return std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
 }
 
 Filling filled(Hole& hole, const FillLimits& limits) {
-  const bool goes_on = std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
+  const bool goes_on = goes_on_somewhere(hole);
   if (goes_on && is_round(hole)) return round_filled(hole, limits);
   const Hole given = hole;
   agree_at_corners(hole, nullptr);
   std::optional<Filling> exact = exactly_bordered(hole, limits);
-  const bool is_sound = exact && !is_folded(*exact);
+  const bool is_sound = exact && !is_folded(*exact, limits);
   if (is_sound && limits.are_met(*exact)) return *exact;
   const bool has_guide = goes_on && hole.share < 1.0;
   Filling star = has_guide ? fairest_star(hole, given, limits) : star_filled(hole, nullptr, limits);
-  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !is_sound || star.angle < exact->angle);
+  const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !is_sound || is_less(star.angle, exact->angle));
   return exact && !is_better ? *exact : star;
 }
 
-void require_unfolded(const Filling& filling) {
-  if (filling.angle > 0.5 * std::numbers::pi) {
-    throw InvalidShape("the filling would turn back over a neighbour: no surface goes on there without a fold");
+/// The name of the side from which the filling is farthest off.
+/// @param measure  how far, of what is seen along one side
+template <class Measure>
+std::string worst_side(const Hole& hole, const Filling& filling, const Measure& measure) {
+  const bool is_dome = goes_on_somewhere(hole) && is_round(hole);
+  const std::vector<PartOfSide> parts = is_dome ? round_parts(hole) : star_parts(hole);
+  std::string worst;
+  double largest = -1.0;
+  for (const PartOfSide& part : parts) {
+    const double off = measure(seen_along_sides(hole, {part}, filling.patches));
+    if (!(off > largest)) continue;
+    largest = off;
+    const SideNumbers numbers = hole.sides[part.side].numbers();
+    worst = "sides" + index_text(numbers.first) + (numbers.last == numbers.first ? "" : " to sides" + index_text(numbers.last));
   }
-  if (!is_folded(filling)) return;
-  throw InvalidShape("the filling turns back over itself: its sides, or what goes on from their neighbours, leave no surface without a fold");
+  return worst;
+}
+
+void require_reached(const Hole& hole, const Filling& filling, const FillLimits& limits) {
+  if (filling.gap <= limits.gap) return;
+  const std::string name = worst_side(hole, filling, [](const Filling& seen) { return seen.gap; });
+  throw ToleranceNotReached("the filling cannot reach its sides: " + name + " is missed", limits.gap, filling.gap);
+}
+
+void require_unfolded(const Hole& hole, const Filling& filling, const FillLimits& limits, const NearSpace& space) {
+  constexpr double kUpright = 0.5 * std::numbers::pi;
+  if (filling.angle > kUpright) {
+    const std::string name = worst_side(hole, filling, [](const Filling& seen) { return seen.angle; });
+    throw InvalidShape("the filling would turn back over the neighbour of " + name + ": no surface goes on there without a fold");
+  }
+  const std::string why = ": its sides, or what goes on from their neighbours, leave no surface without a fold";
+  for (const NurbsPatch& patch : filling.patches) {
+    const std::optional<glm::dvec3> fold = fold_of(patch, limits.gap);
+    if (!fold) continue;
+    const glm::dvec3 at = space.leave(*fold);
+    throw InvalidShape("the filling turns back over itself at (" + text_of(at.x) + ", " + text_of(at.y) + ", " + text_of(at.z) + ")" + why);
+  }
+  if (filling.inner_angle > kUpright) throw InvalidShape("the filling turns back over itself where its patches meet" + why);
 }
 
 /// Of the borders, not of what lies beyond.
@@ -219,7 +272,7 @@ double size_of(std::span<const FillSide> sides) {
   return NearSpace(all).length(1.0);
 }
 
-Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
+Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits, const NearSpace& space) {
   std::vector<NurbsCurve> curves;
   for (const FillSide& side : sides) curves.push_back(curve_of(side));
   const BorderLoop loop = border_loop(curves, limits.gap);
@@ -227,12 +280,12 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits) {
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const auto* neighbour = std::get_if<LoftNeighbour>(&sides[i]);
     const bool goes_on = neighbour && neighbour->continuity > 0;
-    pieces.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt);
+    pieces.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt, i);
   }
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);
-  if (!(filling.gap <= limits.gap)) throw ToleranceNotReached("the filling cannot reach its sides", limits.gap, filling.gap);
-  require_unfolded(filling);
+  require_reached(hole, filling, limits);
+  require_unfolded(hole, filling, limits, space);
   filling.gap += loop.error;
   return filling;
 }
@@ -246,7 +299,7 @@ Filling fill(std::span<const FillSide> sides, const FillOptions& options) {
   std::vector<FillSide> near;
   for (const FillSide& side : sides) near.push_back(entered(side, space));
   const FillLimits limits{options.tolerance ? *options.tolerance / unit : 0x1p-20 * size_of(near), options.angle};
-  Filling filling = said_outside(space, [&] { return fill_near(near, limits); });
+  Filling filling = said_outside(space, [&] { return fill_near(near, limits, space); });
   for (NurbsPatch& patch : filling.patches) patch = patch.with_points(space.leave(patch.points()));
   filling.gap = space.length(filling.gap);
   filling.curvature_difference /= unit;

@@ -8,7 +8,7 @@
 namespace splinecore {
 
 /// Control points of one number from its values at greville_places() in both directions, row after row.
-std::vector<double> grid_controls(const KnotVector& knots, const std::vector<double>& values);
+std::vector<double> grid_controls(const KnotVector& u, const KnotVector& v, const std::vector<double>& values);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -45,20 +45,21 @@ bool is_folded_in_plane(const NurbsPatch& patch) {
 std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const HoleGuide& guide) {
   const std::vector<NurbsPatch> flat = flat_patches(hole, star, guide);
   if (std::ranges::any_of(flat, is_folded_in_plane)) return {};
-  const std::vector<double> at = greville_places(star.knots);
   std::vector<glm::dvec3> found(star.size(), glm::dvec3(0.0));
-  for (std::size_t k = 0; k < star.count; ++k) {
-    std::vector<glm::dvec3> grid(at.size() * at.size());
-    evaluate_grid(flat[k], at, at, std::span(&grid.front().x, 3 * grid.size()));
+  for (std::size_t k = 0; k < star.count(); ++k) {
+    const std::vector<double> u = greville_places(star.along(k, Axis::u));
+    const std::vector<double> v = greville_places(star.along(k, Axis::v));
+    std::vector<glm::dvec3> grid(u.size() * v.size());
+    evaluate_grid(flat[k], u, v, std::span(&grid.front().x, 3 * grid.size()));
     std::array<std::vector<double>, 3> values;
     for (const glm::dvec3& p : grid) {
       const glm::dvec3 value = guide.at({p.x, p.y});
       for (int c = 0; c < 3; ++c) values[c].push_back(value[c]);
     }
     for (int c = 0; c < 3; ++c) {
-      const std::vector<double> controls = grid_controls(star.knots, values[c]);
-      for (std::size_t i = 0; i < at.size(); ++i) {
-        for (std::size_t j = 0; j < at.size(); ++j) found[star.at(k, i, j)][c] = controls[i * at.size() + j];
+      const std::vector<double> controls = grid_controls(star.along(k, Axis::u), star.along(k, Axis::v), values[c]);
+      for (std::size_t i = 0; i < u.size(); ++i) {
+        for (std::size_t j = 0; j < v.size(); ++j) found[star.at(k, i, j)][c] = controls[i * v.size() + j];
       }
     }
   }
@@ -67,7 +68,8 @@ std::vector<glm::dvec3> guided_points(const Hole& hole, const Star& star, const 
 
 std::optional<SurfaceBending> guided_bending(const Hole& hole, const HoleGuide& guide) {
   constexpr int kDegree = 7;
-  const Star star{KnotVector::bezier(kDegree), hole.sides.size(), false, hole.continuity() + 1};
+  const KnotVector knots = KnotVector::bezier(kDegree);
+  const Star star{std::vector(hole.sides.size(), KnotPair{knots, knots}), false, hole.continuity() + 1};
   const std::vector<glm::dvec3> points = guided_points(hole, star, guide);
   if (points.empty()) return {};
   return bending_of(patches_of(star, points));

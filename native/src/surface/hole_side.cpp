@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
 
 #include "base/length.hpp"
@@ -30,7 +31,7 @@ std::vector<PlacedPiece> placed(std::vector<SidePiece> pieces) {
   double from = 0.0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const double end = k + 1 == pieces.size() ? 1.0 : ends[k] / ends.back();
-    if (!(end > from)) throw InvalidShape("a side of the hole is next to nothing beside one that it goes on into");
+    if (!(end > from)) throw InvalidShape(pieces[k].name() + " is next to nothing beside one that it goes on into");
     found.push_back({std::move(pieces[k]), from, end});
     from = end;
   }
@@ -171,7 +172,12 @@ void HoleSide::bend_onward(double least) {
   for (PlacedPiece& one : pieces_) {
     const double left = one.piece.bend_onward();
     if (left > 0.0 && left >= least) continue;
-    throw InvalidShape("a side of the hole turns back over its neighbour: no surface goes on there without a fold");
+    const bool is_at_start = !one.piece.leaves_onward(false);
+    const std::string why = is_at_start                        ? " at its start, for the side before it runs on the neighbour's side there"
+                            : !one.piece.leaves_onward(true) ? " at its end, for the side behind it runs on the neighbour's side there"
+                                                             : ", for it turns too much or changes its pace too fast";
+    throw InvalidShape("what leaves " + one.piece.name() + " turns back over its neighbour" + why +
+                       ": no surface goes on there without a fold");
   }
 }
 

@@ -32,15 +32,13 @@ NurbsPatch turned_to(const LoftNeighbour& neighbour, const NurbsCurve& curve) {
   return is_backwards ? reversed(patch, Axis::u) : patch;
 }
 
-/// x, y for which x a + y b is nearest to a vector.
-std::pair<double, double> parts_of(const glm::dvec3& vector, const glm::dvec3& a, const glm::dvec3& b) {
+/// x, y for which x a + y b is nearest to a vector; none where a and b are in one line.
+std::optional<std::pair<double, double>> parts_of(const glm::dvec3& vector, const glm::dvec3& a, const glm::dvec3& b) {
   constexpr double kParallel = 1e-6;
   const glm::dvec3 normal = glm::cross(a, b);
   const double square = glm::dot(normal, normal);
-  if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) {
-    throw InvalidShape("a neighbour stands still across its side at an end of that: nothing goes on from there");
-  }
-  return {glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
+  if (!(square > kParallel * kParallel * glm::dot(a, a) * glm::dot(b, b))) return {};
+  return std::pair{glm::dot(glm::cross(vector, b), normal) / square, glm::dot(glm::cross(a, vector), normal) / square};
 }
 
 /// A function's derivatives of orders 0 to 2.
@@ -97,8 +95,8 @@ std::array<double, 3> SidePiece::Factor::derivatives(bool is_end) const {
   return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end] + (power == 2 ? 32.0 * value_of(bulges, is_end ? 1.0 : -1.0) : 0.0)};
 }
 
-SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour)
-    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour) {
+SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour, std::size_t number)
+    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour), number_(number) {
   if (!neighbour_) return;
   neighbour_->patch = turned_to(*neighbour, curve_);
   const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
@@ -116,8 +114,10 @@ std::optional<SidePiece> SidePiece::of_one_patch(const SidePiece& first, const S
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
   points.front() += glm::dvec4(first.moved_[0], 0.0);
   points.back() += glm::dvec4(second.moved_[1], 0.0);
-  return SidePiece(curve.with_points(std::move(points)), both);
+  return SidePiece(curve.with_points(std::move(points)), both, first.number_);
 }
+
+std::string SidePiece::name() const { return "sides" + index_text(number_); }
 
 NurbsCurve SidePiece::curve() const {
   std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
@@ -157,13 +157,18 @@ std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
 
 void SidePiece::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {
   const HolePlace here = place(is_end ? 1.0 : 0.0);
-  const auto [a, b] = parts_of(across, here.out, here.along);
+  const auto first = parts_of(across, here.out, here.along);
+  if (!first) {
+    throw InvalidShape("the neighbour of " + name() + " stands still across that at its " + (is_end ? "end" : "start") +
+                       ": nothing goes on from there");
+  }
+  const auto [a, b] = *first;
   a_.values[is_end] = a;
   b_.values[is_end] = b;
   const glm::dvec3 rest = across_2 - a * a * here.out_2 - 2.0 * a * b * here.out_along - b * b * here.along_2;
-  const auto [c, d] = parts_of(rest, here.out, here.along);
-  c_.values[is_end] = c;
-  d_.values[is_end] = d;
+  const auto second = parts_of(rest, here.out, here.along);
+  c_.values[is_end] = second->first;
+  d_.values[is_end] = second->second;
 }
 
 void SidePiece::bulge_towards(std::span<const double> s, std::span<const glm::dvec3> wanted, int order, int power) {

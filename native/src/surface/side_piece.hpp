@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "splinecore/surface/loft.hpp"
@@ -34,8 +36,12 @@ struct AcrossJet {
 /// and curvatures are the neighbour's (Farin 2002, 22; row S21).
 class SidePiece {
  public:
-  /// @param curve  clamped, from the corner where it begins; over any domain
-  SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour);
+  /// @param curve   clamped, from the corner where it begins; over any domain
+  /// @param number  of the side that was given
+  SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour, std::size_t number);
+
+  /// As sentences name it.
+  std::string name() const;
 
   /// 0 without a neighbour
   int continuity() const noexcept { return neighbour_ ? neighbour_->continuity : 0; }
@@ -51,6 +57,7 @@ class SidePiece {
   HolePlace place(double s) const { return places(std::span(&s, 1)).front(); }
 
   /// Sets D and D2 at an end as nearly as the neighbour's plane allows, and lets a, b, c, d be linear.
+  /// @throws InvalidShape where the neighbour has no plane there
   void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
 
   /// c and d at an end.
@@ -63,6 +70,9 @@ class SidePiece {
 
   /// Bends a and b as much less as lets it nowhere leave back over the neighbour. @returns what is left; 0 where it does at an end
   double bend_onward();
+
+  /// Whether D goes on into the hole at an end.
+  bool leaves_onward(bool is_end) const { return a_.values[is_end] > 0.0; }
 
   AcrossJet jet(bool is_end) const;
 
@@ -97,6 +107,7 @@ class SidePiece {
 
   NurbsCurve curve_;                        ///< with a neighbour its side
   std::optional<LoftNeighbour> neighbour_;  ///< along its side over [0, 1], as the curve runs
+  std::size_t number_;
   std::array<glm::dvec3, 2> moved_{};       ///< the curve's ends by what they lie off those of the neighbour's side
   Factor a_, b_, c_, d_;
 };

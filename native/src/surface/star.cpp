@@ -53,9 +53,9 @@ Products products_of(const KnotVector& knots) {
 std::vector<Index> unknowns_of(const Star& star, const std::vector<std::optional<glm::dvec3>>& given, Index& count) {
   std::vector<Index> places(star.size(), -1);
   count = 0;
-  for (std::size_t k = 0; k < star.count; ++k) {
-    for (std::size_t i = 0; i < star.width(); ++i) {
-      for (std::size_t j = 0; j < star.width(); ++j) {
+  for (std::size_t k = 0; k < star.count(); ++k) {
+    for (std::size_t i = 0; i < star.width(k, Axis::u); ++i) {
+      for (std::size_t j = 0; j < star.width(k, Axis::v); ++j) {
         const std::size_t number = star.at(k, i, j);
         if (!given[number] && places[number] < 0) places[number] = count++;
       }
@@ -122,19 +122,21 @@ class Form {
 };
 
 void add_energy(const Star& star, const std::vector<glm::dvec3>& expected, Form& form) {
-  const auto& [of_order] = products_of(star.knots);
-  const auto degree = static_cast<std::size_t>(star.knots.degree());
-  const std::size_t width = star.width();
+  const auto degree = static_cast<std::size_t>(star.along(0, Axis::u).degree());
   const auto first = [&](std::size_t a) { return a - std::min(a, degree); };
-  const auto behind = [&](std::size_t a) { return std::min(a + degree + 1, width); };
-  for (std::size_t k = 0; k < star.count; ++k) {
-    breathe(width * width * degree * degree);
-    for (std::size_t i = 0; i < width; ++i) {
-      for (std::size_t j = 0; j < width; ++j) {
-        for (std::size_t m = first(i); m < behind(i); ++m) {
-          for (std::size_t n = first(j); n < behind(j); ++n) {
+  const auto behind = [&](std::size_t a, std::size_t width) { return std::min(a + degree + 1, width); };
+  for (std::size_t k = 0; k < star.count(); ++k) {
+    const auto& [along_u] = products_of(star.along(k, Axis::u));
+    const auto& [along_v] = products_of(star.along(k, Axis::v));
+    const std::size_t rows = star.width(k, Axis::u);
+    const std::size_t columns = star.width(k, Axis::v);
+    breathe(rows * columns * degree * degree);
+    for (std::size_t i = 0; i < rows; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        for (std::size_t m = first(i); m < behind(i, rows); ++m) {
+          for (std::size_t n = first(j); n < behind(j, columns); ++n) {
             const auto product = [&](int u, int v) {
-              return of_order[u](static_cast<Index>(i), static_cast<Index>(m)) * of_order[v](static_cast<Index>(j), static_cast<Index>(n));
+              return along_u[u](static_cast<Index>(i), static_cast<Index>(m)) * along_v[v](static_cast<Index>(j), static_cast<Index>(n));
             };
             const double value = product(3, 0) + 3.0 * product(2, 1) + 3.0 * product(1, 2) + product(0, 3);
             form.add(star.at(k, i, j), star.at(k, m, n), value);
@@ -161,16 +163,18 @@ struct SpokeConditions {
 };
 
 double spoke_factor(const Star& star) {
-  const double angle = (star.is_open ? 1.0 : 2.0) * std::numbers::pi / static_cast<double>(star.count);
+  const double angle = (star.is_open ? 1.0 : 2.0) * std::numbers::pi / static_cast<double>(star.count());
   return 2.0 * std::cos(angle);
 }
 
-/// Along spoke k, at places of it.
+/// Along spoke k, at places of it; by the mean of the slopes beside it.
 void add_conditions(const Star& star, std::size_t k, const Unknowns& unknowns, const Samples& samples, SpokeConditions& all) {
-  const std::size_t last = star.width() - 1;
-  const std::size_t next = (k + 1) % star.count;
-  const auto knots = star.knots.knots();
-  const double slope = star.knots.degree() / (knots.back() - knots[last]);
+  const std::size_t next = star.after(k);
+  const std::size_t last = star.last(k, Axis::u);
+  const std::size_t last_of_next = star.last(next, Axis::v);
+  const double here = end_slope(star.along(k, Axis::u));
+  const double there = end_slope(star.along(next, Axis::v));
+  const double slope = 0.5 * (here + there);
   const double factor = spoke_factor(star);
   for (std::size_t s = 0; s < samples.size(); ++s) {
     all.right.emplace_back(0.0);
@@ -179,55 +183,86 @@ void add_conditions(const Star& star, std::size_t k, const Unknowns& unknowns, c
     for (std::size_t m = 0; m < samples.weights(s).size(); ++m, ++j) {
       const double value = samples.weights(s)[m];
       all.add(unknowns, star.at(k, last, j), 2.0 * value - part / slope * samples.weights(s, 1)[m]);
-      all.add(unknowns, star.at(k, last - 1, j), -value);
-      all.add(unknowns, star.at(next, j, last - 1), -value);
+      all.add(unknowns, star.at(k, last - 1, j), -here / slope * value);
+      all.add(unknowns, star.at(next, j, last_of_next - 1), -there / slope * value);
     }
   }
 }
 
-SpokeConditions conditions_of(const Star& star, const Unknowns& unknowns) {
+Samples samples_along(const KnotVector& spoke) {
   constexpr int kInSpan = 8;
   std::vector<double> at;
-  for (int s = 0; s < static_cast<int>(star.knots.spans().size()); ++s) {
-    const Interval span = star.knots.span_interval(s);
+  for (int s = 0; s < static_cast<int>(spoke.spans().size()); ++s) {
+    const Interval span = spoke.span_interval(s);
     for (int k = 0; k <= kInSpan; ++k) {
       at.push_back(span.start + span.length() * 0.5 * (1.0 - std::cos(std::numbers::pi * k / kInSpan)));
     }
     at.back() = span.end;
   }
-  const Samples samples = Samples::make(star.knots, at, 1);
+  return Samples::make(spoke, at, 1);
+}
+
+SpokeConditions conditions_of(const Star& star, const Unknowns& unknowns) {
   SpokeConditions all;
-  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) add_conditions(star, k, unknowns, samples, all);
+  for (std::size_t k = 0; k < star.inner_spokes(); ++k) add_conditions(star, k, unknowns, samples_along(star.along(k, Axis::v)), all);
   return all;
 }
 
-/// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969).
-Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// A form, whole, in unknowns by which its diagonal is 1: else what is stiff in it hides what is not.
+struct EvenForm {
+  Eigen::VectorXd scale;  ///< of the unknowns
+  Sparse left;
+  Eigen::MatrixXd right;
+
+  explicit EvenForm(const Form& form) : right(form.right) {
+    const Sparse given = form.left();
+    scale = given.diagonal().cwiseSqrt().cwiseInverse();
+    left = scale.asDiagonal() * Sparse(given.selfadjointView<Eigen::Lower>()) * scale.asDiagonal();
+    right = scale.asDiagonal() * form.right;
+  }
+};
+
+/// The least by itself; what is left of it is added until rounding is all.
+Eigen::MatrixXd least_of(const EvenForm& form) {
+  constexpr int kRounds = 4;
+  const Eigen::SimplicialLDLT<Sparse> solver(form.left);
+  Eigen::MatrixXd points = solver.solve(form.right);
+  for (int round = 0; round < kRounds; ++round) points += solver.solve(form.right - form.left * points);
+  return form.scale.asDiagonal() * points;
+}
+
+/// The least of a form under conditions, as nearly as these agree: multipliers (Hestenes 1969, Powell 1969). Each round adds what
+/// is left, of the form and of the conditions by themselves: their sum has lost digits of the form.
+Eigen::MatrixXd least(const Form& given, const SpokeConditions& conditions) {
   constexpr int kLeastRounds = 12;
   constexpr int kMostRounds = 100;
   constexpr double kSlow = 0.95;
   constexpr double kFirm = 1e7;
   constexpr double kLoose = 1e-4;  // first, for conditions may hide how large the form is in their common directions
   constexpr double kNear = 1e-13;  // to the round before, of the diagonal, for the same reason
-  const Index count = form.right.rows();
+  const Index count = given.right.rows();
   if (count == 0) return Eigen::MatrixXd(0, 3);
-  const Eigen::SparseMatrix<double> energy = form.left();
-  if (conditions.right.empty()) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(energy).solve(form.right);
-  const Eigen::SparseMatrix<double> left = matrix_of(std::ssize(conditions.right), count, conditions.left);
+  const EvenForm form(given);
+  if (conditions.right.empty()) return least_of(form);
+  const Sparse left = matrix_of(std::ssize(conditions.right), count, conditions.left) * form.scale.asDiagonal();
   Eigen::MatrixXd right = Eigen::MatrixXd::Zero(std::ssize(conditions.right), 3);
   for (Index i = 0; i < right.rows(); ++i) add_vector(right, i, conditions.right[static_cast<std::size_t>(i)]);
-  const double firm = kFirm * energy.diagonal().mean() / std::max(left.squaredNorm() / static_cast<double>(count), 1e-300);
-  const Eigen::SparseMatrix<double> back = left.transpose();
+  const double firm = kFirm * static_cast<double>(count) / std::max(left.squaredNorm(), 1e-300);
+  const Sparse back = left.transpose();
   Eigen::MatrixXd points = Eigen::MatrixXd::Zero(count, 3);
   Eigen::MatrixXd multipliers = Eigen::MatrixXd::Zero(right.rows(), 3);
   for (const double share : {kLoose, 1.0}) {
-    const Eigen::SparseMatrix<double> whole = energy + share * firm * (back * left);
+    const Sparse whole = form.left + share * firm * (back * left);
     const Eigen::VectorXd near = kNear * whole.diagonal();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(whole + Eigen::SparseMatrix<double>(near.asDiagonal()));
+    const Eigen::SimplicialLDLT<Sparse> solver(whole + Sparse(near.asDiagonal()));
     double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kMostRounds; ++round) {
       breathe(static_cast<std::size_t>(whole.nonZeros()));
-      points = solver.solve(form.right + back * (share * firm * right - multipliers) + near.asDiagonal() * points);
+      const Eigen::MatrixXd pull = back * (multipliers + share * firm * (left * points - right));
+      const Eigen::MatrixXd change = solver.solve(form.right - form.left * points - pull);
+      points += change;
       const Eigen::MatrixXd off = left * points - right;
       multipliers += share * firm * off;
       const double size = off.norm();
@@ -235,16 +270,17 @@ Eigen::MatrixXd least(const Form& form, const SpokeConditions& conditions) {
       before = size;
     }
   }
-  return points;
+  return form.scale.asDiagonal() * points;
 }
 
 /// Which points conditions along spokes are of, by number.
 std::vector<bool> points_at_spokes(const Star& star) {
-  const std::size_t last = star.width() - 1;
   std::vector<bool> found(star.size());
-  for (std::size_t k = 0; k + (star.is_open ? 1 : 0) < star.count; ++k) {
-    for (std::size_t j = 0; j <= last; ++j) {
-      for (const std::size_t number : {star.at(k, last, j), star.at(k, last - 1, j), star.at((k + 1) % star.count, j, last - 1)}) {
+  for (std::size_t k = 0; k < star.inner_spokes(); ++k) {
+    const std::size_t next = star.after(k);
+    const std::size_t last = star.last(k, Axis::u);
+    for (std::size_t j = 0; j < star.width(k, Axis::v); ++j) {
+      for (const std::size_t number : {star.at(k, last, j), star.at(k, last - 1, j), star.at(next, j, star.last(next, Axis::v) - 1)}) {
         found[number] = true;
       }
     }
@@ -269,16 +305,29 @@ std::vector<glm::dvec3> points_by_number(const Star& star, const std::vector<std
 
 }  // namespace
 
+double end_slope(const KnotVector& knots) {
+  const auto last = static_cast<std::size_t>(knots.count()) - 1;
+  return knots.degree() / (knots.knots().back() - knots.knots()[last]);
+}
+
 std::size_t Star::at(std::size_t patch, std::size_t i, std::size_t j) const {
-  const std::size_t last = width() - 1;
-  if (i == last && j == last) return (last * width() + last);  // the middle is that of the first patch
   const bool has_before = patch > 0 || !is_open;
-  if (j == last && has_before) {  // the spoke at which u of the patch before ends
+  if (i == last(patch, Axis::u) && j == last(patch, Axis::v)) {  // the middle is that of the first patch
+    patch = 0;
+    i = last(0, Axis::u);
+    j = last(0, Axis::v);
+  } else if (j == last(patch, Axis::v) && has_before) {  // the spoke at which u of the patch before ends
+    patch = (patch + count() - 1) % count();
     j = i;
-    i = last;
-    patch = (patch + count - 1) % count;
+    i = last(patch, Axis::u);
   }
-  return (patch * width() + i) * width() + j;
+  return first_of(patch) + i * width(patch, Axis::v) + j;
+}
+
+std::size_t Star::first_of(std::size_t patch) const {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < patch; ++k) sum += width(k, Axis::u) * width(k, Axis::v);
+  return sum;
 }
 
 std::vector<glm::dvec3> solved_star(const Star& star, const std::vector<std::optional<glm::dvec3>>& given,

@@ -45,11 +45,15 @@ struct Filling {
 ///
 /// What leaves a side does so in its neighbour's tangent planes, at corners along the next side. Where neighbours do not share
 /// their tangent plane, or how it turns, at a corner, nothing can go on from both there: angle says how far it is off.
-/// @returns patches, with equal control points along their common sides; with normals on one side
+/// Along the line to a side's middle two patches have the knots of the sides that run beside it, and no others: where the list of
+/// sides begins and which way it goes is of no matter.
+///
+/// @returns patches, with equal control points along their common sides; with normals on one side: on every part of every span
+///          bounds of the derivatives say so, but for what lies within the tolerance of a corner
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, goes on
 ///         without a corner into one from no neighbour, or is next to nothing beside one that it goes on into; where one or two
 ///         corners are left, what fills the hole would fold, as it may where weights or paces along sides differ much or
-///         curvatures are to go on far, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
+///         curvatures are to go on far, and the sentence says where, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
 ///         ToleranceNotReached where neighbouring sides' ends lie apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});
 
