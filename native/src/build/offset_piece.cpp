@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cubics_along.hpp"
+#include "slope_parts.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -81,10 +82,9 @@ class PieceOffset {
 
   std::vector<BezierCurve> made() {
     std::vector<double> cuts{0.0};
-    constexpr int kLooks = 16;
-    for (int i = 0; i < kLooks; ++i) {
-      const auto at = [](int k) { return static_cast<double>(k) / kLooks; };
-      if (const auto cusp = cusp_between(at(i), at(i + 1))) cuts.push_back(*cusp);
+    constexpr int kDepth = 12;
+    for (const Interval& part : parts_that_matter(curve_, step_.normal, kDepth, [&](const SlopePart& one) { return may_turn(one); })) {
+      if (const auto cusp = cusp_between(part.start, part.end)) cuts.push_back(*cusp);
     }
     cuts.push_back(1.0);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -94,6 +94,19 @@ class PieceOffset {
   }
 
  private:
+  /// Whether the offset may turn back on a part: where 1 is the distance times the curvature.
+  bool may_turn(const SlopePart& part) const {
+    const auto [least, most] = part.slope_lengths();
+    const auto [low, high] = part.bend.range();
+    const auto [light, heavy] = part.weight.range();
+    if (!(light > 0.0)) return true;
+    const double bends[] = {step_.distance * low, step_.distance * high};
+    const auto of = [](double bend, double small, double large) { return bend * (bend > 0.0 ? large * large * large : small * small * small); };
+    const double bent_most = of(std::max(bends[0], bends[1]), light, heavy);
+    const double bent_least = of(std::min(bends[0], bends[1]), heavy, light);
+    return least * least * least <= bent_most && most * most * most >= bent_least;
+  }
+
   double stretch(double t) const { return offset_place(curve_, t, step_).stretch; }
 
   std::optional<double> cusp_between(double low, double high) const {
