@@ -19,6 +19,7 @@ disc = _build.disc
 extend_patch = _build.extend_patch
 extrude = _build.extrude
 fill = _build.fill
+fillet_chain = _build.fillet_chain
 fillet_patches = _build.fillet_patches
 filleted = _build.filleted
 fillets = _build.fillets
@@ -65,6 +66,7 @@ __all__ = [
     "extend_patch",
     "extrude",
     "fill",
+    "fillet_chain",
     "fillet_patches",
     "filleted",
     "fillets",

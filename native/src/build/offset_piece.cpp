@@ -76,6 +76,19 @@ std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, con
   return std::vector{BezierCurve::make(std::move(made))};
 }
 
+/// Near an end at which a piece stands still first derivatives are rounding: it goes as far as the second one takes it.
+/// @returns none elsewhere
+std::optional<glm::dvec3> way_from_still_end(const BezierCurve& curve, double t, double speed, double second) {
+  constexpr double kStill = 1e-10;
+  const double rounding = 0x1p-50 * curve.degree() * curve.degree();
+  if (speed > std::max(kStill * second, std::sqrt(rounding * second))) return {};
+  const double end = t < 0.5 ? 0.0 : 1.0;
+  if (glm::length(derivatives_at(curve, end)[1]) > std::max(kStill * second, rounding)) return {};
+  const glm::dvec3 between = derivatives_at(curve, 0.5 * (t + end))[2];
+  const double length = glm::length(between);
+  return length > 0.0 ? (t < 0.5 ? 1.0 : -1.0) / length * between : glm::dvec3(0.0);
+}
+
 class PieceOffset {
  public:
   PieceOffset(const BezierCurve& curve, const SideStep& step) : curve_(curve), step_(step) {}
@@ -144,12 +157,8 @@ class PieceOffset {
 OffsetPlace offset_place(const BezierCurve& curve, double t, const SideStep& step) {
   const auto [point, first, second] = derivatives_at(curve, t);
   const double speed = glm::length(first);
-  constexpr double kStill = 1e-10;
-  if (speed <= kStill * glm::length(second)) {
-    // It stands still at an end: the second derivative tells where it goes.
-    const double length = glm::length(second);
-    const glm::dvec3 tangent = length > 0.0 ? (t < 0.5 ? 1.0 : -1.0) / length * second : glm::dvec3(0.0);
-    return {point, tangent, point + step.distance * glm::cross(step.normal, tangent), first, 1.0};
+  if (const auto way = way_from_still_end(curve, t, speed, glm::length(second))) {
+    return {point, *way, point + step.distance * glm::cross(step.normal, *way), first, 1.0};
   }
   const glm::dvec3 tangent = first / speed;
   const double curvature = glm::dot(glm::cross(first, second), step.normal) / (speed * speed * speed);

@@ -73,6 +73,8 @@ NurbsPatch on_same_digits(const NurbsPatch& patch, const KnotVector& wanted) {
                           {patch.points().begin(), patch.points().end()});
 }
 
+}  // namespace
+
 NurbsPatch on_knots(const NurbsPatch& given, const KnotVector& wanted) {
   const NurbsPatch patch = on_same_digits(given, wanted);
   const int more = wanted.degree() - patch.knot_vector(Axis::u).degree();
@@ -82,6 +84,8 @@ NurbsPatch on_knots(const NurbsPatch& given, const KnotVector& wanted) {
   if (!wanted.periodic()) return refined;
   return along(refined, Axis::u, [](const NurbsCurve& line) { return with_whole_seam(line); });
 }
+
+namespace {
 
 std::vector<glm::dvec4> side_points(const NurbsPatch& patch) {
   const auto count_v = static_cast<std::size_t>(patch.knot_vector(Axis::v).count());
