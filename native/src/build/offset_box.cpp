@@ -110,7 +110,8 @@ std::pair<OffsetBox, OffsetBox> OffsetBox::halves() const {
   BernsteinNet<glm::dvec3> second;
   first.halve(Axis::u, second);
   const double middle = part_.middle();
-  return {OffsetBox(std::move(first.values), {part_.start, middle}, side_), OffsetBox(std::move(second.values), {middle, part_.end}, side_)};
+  return {OffsetBox(std::move(first.values), {part_.start, middle}, side_),
+          OffsetBox(std::move(second.values), {middle, part_.end}, side_)};
 }
 
 std::vector<OffsetBox> offset_boxes(const NurbsCurve& curve, const PlaneView& view, double side) {

@@ -114,7 +114,9 @@ class PieceOffset {
     const auto [light, heavy] = part.weight.range();
     if (!(light > 0.0)) return true;
     const double bends[] = {step_.distance * low, step_.distance * high};
-    const auto of = [](double bend, double small, double large) { return bend * (bend > 0.0 ? large * large * large : small * small * small); };
+    const auto of = [](double bend, double small, double large) {
+      return bend * (bend > 0.0 ? large * large * large : small * small * small);
+    };
     const double bent_most = of(std::max(bends[0], bends[1]), light, heavy);
     const double bent_least = of(std::min(bends[0], bends[1]), heavy, light);
     return least * least * least <= bent_most && most * most * most >= bent_least;

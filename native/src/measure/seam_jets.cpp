@@ -10,8 +10,8 @@ namespace splinecore {
 
 namespace {
 
-/// Inside a span, where weights that differ squeeze what happens towards its ends: evenly by the logarithm of t / (1 - t), in which such
-/// curves are moved, not squeezed.
+/// Inside a span, where weights that differ squeeze what happens towards its ends: evenly by the logarithm of t / (1 - t), in
+/// which such curves are moved, not squeezed.
 std::vector<double> squeezed_shares(double spread, int degree) {
   constexpr double kBeyond = 3.0;
   constexpr double kEven = 4.0;
@@ -34,7 +34,8 @@ std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
     const double length = knots[i + 1] - knots[i];
     if (length <= kSameShare) continue;
     const double middle = knots[i] + 0.5 * length;
-    std::vector<double> shares = squeezed_shares(std::max(a.weight_spread(middle), b.weight_spread(middle)), a.degree_along() + b.degree_along());
+    const double spread = std::max(a.weight_spread(middle), b.weight_spread(middle));
+    std::vector<double> shares = squeezed_shares(spread, a.degree_along() + b.degree_along());
     for (int k = 1; k < count; ++k) shares.push_back(static_cast<double>(k) / count);
     std::ranges::sort(shares);
     places.push_back({knots[i], Side::right});
@@ -82,7 +83,8 @@ std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   for (std::size_t i = 0; i < count; ++i) values.push_back(measure(jets.a[i], jets.b[i]));
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < count; ++i) {
-    if (!(values[i] >= kHigh * values[top]) || (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i])) continue;
+    const bool is_lower = (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i]);
+    if (is_lower || !(values[i] >= kHigh * values[top])) continue;
     if (!is_level_at(jets, measure, i)) found.push_back(i);
   }
   return found;

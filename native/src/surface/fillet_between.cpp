@@ -280,7 +280,8 @@ Approximation<NurbsPatch> fitted_across(const NurbsPatch& model, const RollingBa
   } catch (const SurfaceMissed& missed) {
     const double shares[] = {missed.v};
     const double u = ball.between(missed.u, end_of(missed.u), shares)[0];
-    throw ToleranceNotReached("the fillet, " + bend_at(ball, u) + ", and slants across there, cannot be had", whole, missed.error() / kShare);
+    throw ToleranceNotReached("the fillet, " + bend_at(ball, u) + ", and slants across there, cannot be had", whole,
+                              missed.error() / kShare);
   }
 }
 

@@ -89,8 +89,9 @@ void require_goes_on(const EdgeEnd& end, const EdgeEnd& start, const std::string
   if (gap > kSame * size) throw InvalidShape("edges " + one + " and " + next + " of the chain lie " + text_of(gap) + " apart");
   const double angle = std::atan2(length_of(glm::cross(end.way, start.way)), glm::dot(end.way, start.way));
   if (!(angle > kCorner)) return;
-  throw InvalidShape("edges " + one + " and " + next + " of the chain meet in a corner of " +
-                     std::to_string(std::lround(180.0 - angle * 180.0 / std::numbers::pi)) + " degrees: no ball rolls on there; round them one by one");
+  const auto degrees = static_cast<int>(std::round(180.0 - angle * 180.0 / std::numbers::pi));
+  throw InvalidShape("edges " + one + " and " + next + " of the chain meet in a corner of " + std::to_string(degrees) +
+                     " degrees: no ball rolls on there; round them one by one");
 }
 
 /// How long each edge is along u, so that all are run through as one.
@@ -149,7 +150,8 @@ std::vector<RailNumber> along_chain(std::span<const RailNumber> radii, const std
 
 }  // namespace
 
-std::vector<RoundedEdge> fillet_chain(std::span<const PatchEdge> edges, std::span<const RailNumber> radii, std::optional<double> tolerance) {
+std::vector<RoundedEdge> fillet_chain(std::span<const PatchEdge> edges, std::span<const RailNumber> radii,
+                                      std::optional<double> tolerance) {
   if (edges.empty()) throw InvalidShape("there is no edge");
   const std::vector<TurnedPatch> firsts = in_order(edges);
   std::vector<TurnedPatch> seconds;
@@ -167,7 +169,8 @@ std::vector<RoundedEdge> fillet_chain(std::span<const PatchEdge> edges, std::spa
     require_goes_on(end_at(first.patch, 1.0), end_at(first.patch, 0.0), std::to_string(edges.size()), "1", size);
     for (PatchChain* const chain : {&first, &second}) chain->patch = made_periodic(chain->patch, Axis::u, kSame * size).value;
   }
-  const RoundedEdge whole = fillet(first.patch, Border::v_start, second.patch, Border::v_start, along_chain(radii, first.joints), tolerance);
+  const std::vector<RailNumber> along = along_chain(radii, first.joints);
+  const RoundedEdge whole = fillet(first.patch, Border::v_start, second.patch, Border::v_start, along, tolerance);
   const std::vector<NurbsPatch> left_a = parts_at(whole.first, first.joints);
   const std::vector<NurbsPatch> fillets = parts_at(whole.fillet, first.joints);
   const std::vector<NurbsPatch> left_b = parts_at(whole.second, first.joints);
