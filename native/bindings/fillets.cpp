@@ -53,9 +53,10 @@ void bind_fillets(py::module_& module) {
             "parameters of a: a list of (arc, a, b, goes_on_a, goes_on_b). arc is a NurbsCurve from a to b, no longer than\n"
             "half a turn; a and b are the parameters at which it touches them; goes_on_a is whether a runs into the arc\n"
             "there rather than away from it, goes_on_b whether the arc runs along b rather than against it.\n\n"
-            "Centres are where the offsets of both curves cross, to either side, by Newton's method to rounding. Corners\n"
-            "of the curves are touched by nothing. Lecture row S18. InvalidShape if the radius is not above 0, the normal\n"
-            "(3,) is zero, or the curves are not in a plane with it.");
+            "Centres are where the offsets of both curves cross, to either side, by Newton's method to rounding, or by\n"
+            "halving where that does not tell; where offsets are one along a stretch, as of lines beside each other, its\n"
+            "ends. Corners of the curves are touched by nothing. Lecture row S18. InvalidShape if the radius is not above 0,\n"
+            "the normal (3,) is zero, the curves are not in a plane with it, or it is not told whether an arc touches both.");
 }
 
 }  // namespace bindings

@@ -11,6 +11,7 @@
 #include "rail_numbers.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/extend_patch.hpp"
+#include "splinecore/surface/fillet_chain.hpp"
 #include "splinecore/surface/fillet_patches.hpp"
 #include "splinecore/surface/match.hpp"
 #include "splinecore/surface/offset_patch.hpp"
@@ -133,6 +134,31 @@ void bind_fillet_patches(py::module_& build) {
             "ToleranceNotReached.");
 }
 
+splinecore::PatchEdge edge_of(const py::object& value, std::size_t index) {
+  const std::string name = "edges" + splinecore::index_text(index);
+  const auto given = py::isinstance<py::sequence>(value) ? py::cast<py::sequence>(value) : py::sequence(py::tuple());
+  if (given.size() != 4) throw splinecore::InvalidShape(name + ": a patch and its side, another patch and its side are expected");
+  return {any_patch(given[0], name.c_str()), border_of(given[1], name.c_str()), any_patch(given[2], name.c_str()),
+          border_of(given[3], name.c_str())};
+}
+
+void bind_fillet_chain(py::module_& build) {
+  build.def("fillet_chain", [](const py::sequence& edges, const py::object& radius, const py::object& tolerance, const py::object& cancel) {
+              std::vector<splinecore::PatchEdge> given;
+              for (std::size_t i = 0; i < edges.size(); ++i) given.push_back(edge_of(edges[i], i));
+              const auto radii = radii_of(radius, "radius", {0.0, static_cast<double>(given.size())});
+              const std::optional<double> within = tolerance_of(tolerance);
+              return unlocked([&] { return splinecore::fillet_chain(given, radii, within); }, cancel);
+            }, py::arg("edges"), py::arg("radius"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
+            "The RoundedEdge of each of several edges that follow each other, by one ball that rolls on from each to the next.\n\n"
+            "edges is a sequence of (patch, side, patch, side). First patches go on as each other across the joints of the chain, and\n"
+            "so do the second ones; a chain that ends where it begins is rounded all round. Patches and fillets share their sides\n"
+            "along the chain and at its joints: the same points on the same knots. radius and tolerance are those of\n"
+            "fillet_patches(), but for places: k and a share of edge k.\n"
+            "InvalidShape if edges do not follow each other, meet in a corner, or patches do not go on as each other;\n"
+            "ToleranceNotReached.");
+}
+
 }  // namespace
 
 void bind_surface_verbs(py::module_& module) {
@@ -142,6 +168,7 @@ void bind_surface_verbs(py::module_& module) {
   bind_match(build);
   bind_rounded_edge(module);
   bind_fillet_patches(build);
+  bind_fillet_chain(build);
 }
 
 }  // namespace bindings

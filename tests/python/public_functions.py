@@ -79,6 +79,9 @@ FUNCTIONS = {
     "build.fillet_patches": lambda at: build.fillet_patches(
         build.plane(xyz(at, 0), xyz(at, 1), xyz(at, 0, 1)), "u_end", build.plane(xyz(at, 1), xyz(at, 0, 1), xyz(at, 0, 0, 1)), "v_start",
         0.1 * at.size),
+    "build.fillet_chain": lambda at: build.fillet_chain([
+        (build.plane(xyz(at, 0, y), xyz(at, 1), xyz(at, 0, 1)), "u_end", build.plane(xyz(at, 1, y), xyz(at, 0, 1), xyz(at, 0, 0, 1)), "v_start")
+        for y in (0, 1)], 0.1 * at.size),
     "build.fill": lambda at: build.fill([sc.BezierCurve([xyz(at, *a), xyz(at, *b)]) for a, b in (
         ((0, 0), (1, 0)), ((1, 0), (1, 1, 1)), ((1, 1, 1), (0, 0)))]),
     "build.corner_counts": lambda at: build.corner_counts([at.bezier, at.bezier.reversed()]),

@@ -1,5 +1,7 @@
 """What rounds an edge shares its sides with what is left of the patches: the same points and knots, and no crack in a mesh."""
 
+import re
+
 import numpy as np
 import splinecore as sc
 from splinecore import build
@@ -112,15 +114,17 @@ def test_random_edges(inputs):
         except sc.InvalidShape as error:
             assert "ball" in str(error) or "crease" in str(error) or "tangent plane" in str(error) or "inner one" in str(error), (seed, error)
             continue
-        except sc.ToleranceNotReached:
-            continue  # of degree 2, with knots: they bend abruptly there, and the ball with them
+        except sc.ToleranceNotReached as error:
+            # Of degree 2, with knots: they bend abruptly there, and the ball with them.
+            assert re.search(r"bends abruptly at 0\.\d+ of the edge|what is left of the (first|second) patch .* near 0\.\d+ of its edge", str(error))
+            continue
         made_count += 1
         assert made.error <= 1e-4 * size
         require_shared(made, sides[1], sides[3])
         for patch, left in ((sides[0], made.first), (sides[2], made.second)):
             points = left.evaluate_grid(*(np.linspace(*domain, 7) for domain in left.domain)).reshape(-1, 3)
             assert patch.nearest(points).distances.max() <= 1e-4 * size, seed
-    assert made_count > 0.5 * inputs(1000)
+    assert made_count > 0.6 * inputs(1000)
 
 
 def test_radii_grow_along_an_edge_whose_sides_slant():

@@ -20,6 +20,7 @@ extend_patch = _build.extend_patch
 extrude = _build.extrude
 fill = _build.fill
 fill_rim = _build.fill_rim
+fillet_chain = _build.fillet_chain
 fillet_patches = _build.fillet_patches
 filleted = _build.filleted
 fillets = _build.fillets
@@ -72,6 +73,7 @@ __all__ = [
     "extrude",
     "fill",
     "fill_rim",
+    "fillet_chain",
     "fillet_patches",
     "filleted",
     "fillets",

@@ -44,6 +44,7 @@ __all__ = [
     "extrude",
     "fill",
     "fill_rim",
+    "fillet_chain",
     "fillet_patches",
     "filleted",
     "fillets",
@@ -377,6 +378,13 @@ def fillet_patches(
     tolerance: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> RoundedEdge: ...
+def fillet_chain(
+    edges: Sequence[tuple[_Patch, _Border, _Patch, _Border]],
+    radius: float | ArrayLike,
+    *,
+    tolerance: float | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> list[RoundedEdge]: ...
 def catmull_clark(
     points: ArrayLike, faces: Sequence[Sequence[SupportsIndex]], *, cancel: Callable[[], object] | None = None
 ) -> SubdivisionPatches: ...

@@ -1,9 +1,7 @@
 #include "splinecore/build/corners.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <span>
 #include <string>
@@ -46,13 +44,6 @@ SmoothRuns runs_of(const NurbsCurve& curve) {
   const bool goes_round = is_closed(curve) && !corners.empty();
   // The seam is a joint, at the start or the end; where it is no corner the first run goes over it.
   return {goes_round || !corners.empty() ? parts(curve, corners) : std::vector{curve}, goes_round};
-}
-
-/// In a few digits: where to look.
-std::string place_text(const glm::dvec3& p) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "(%.5g, %.5g, %.5g)", p.x, p.y, p.z);
-  return text.data();
 }
 
 /// The curve with a cut at each of its corners.

@@ -1,21 +1,19 @@
 #include "splinecore/build/fillet.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/sort_by.hpp"
 #include "meet/near_space.hpp"
+#include "beside_both.hpp"
+#include "crossing_search.hpp"
+#include "curve_ends.hpp"
 #include "offset_parts.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/base/pause.hpp"
-#include "splinecore/conic/arcs.hpp"
-#include "splinecore/curve/evaluate.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "splinecore/meet/nearest.hpp"
 #include "splinecore/meet/stationary.hpp"
@@ -23,88 +21,6 @@
 namespace splinecore {
 
 namespace {
-
-/// A place of a curve, the unit tangent, the point beside it, and how that goes by the parameter.
-struct BesidePlace {
-  glm::dvec3 point;
-  glm::dvec3 tangent;
-  glm::dvec3 centre;
-  glm::dvec3 slope;
-};
-
-/// Two curves, and on which side of each the centre is.
-class BesideBoth {
- public:
-  BesideBoth(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
-      : a_(a), b_(b), normal_(normal), sides_(sides) {}
-
-  /// Newton's method for where the points beside both curves are one.
-  std::optional<Fillet> near(double u, double v) const {
-    constexpr int kMost = 40;
-    const std::array<Interval, 2> domains{a_.domain(), b_.domain()};
-    std::array<double, 2> before{domains[0].length(), domains[1].length()};
-    for (int round = 0; round < kMost; ++round) {
-      breathe(1024);
-      const BesidePlace on_a = place(a_, u, sides_[0]);
-      const BesidePlace on_b = place(b_, v, sides_[1]);
-      const glm::dvec3 gap = on_b.centre - on_a.centre;
-      const double area = glm::dot(glm::cross(on_a.slope, on_b.slope), normal_);
-      if (!(std::abs(area) > 0.0)) return {};
-      const double by_u = glm::dot(glm::cross(gap, on_b.slope), normal_) / area;
-      const double by_v = glm::dot(glm::cross(gap, on_a.slope), normal_) / area;
-      const double next_u = std::clamp(u + by_u, domains[0].start, domains[0].end);
-      const double next_v = std::clamp(v + by_v, domains[1].start, domains[1].end);
-      const std::array<double, 2> steps{std::abs(next_u - u), std::abs(next_v - v)};
-      u = next_u;
-      v = next_v;
-      constexpr double kStill = 0x1p-50;
-      const bool is_still = steps[0] <= kStill * domains[0].length() && steps[1] <= kStill * domains[1].length();
-      const bool is_noise = round > 4 && steps[0] >= before[0] && steps[1] >= before[1];
-      if (is_still || is_noise) return fillet(u, v);
-      before = steps;
-    }
-    return {};
-  }
-
- private:
-  BesidePlace place(const NurbsCurve& curve, double u, double side) const {
-    std::array<glm::dvec3, 3> d;
-    derivatives(curve, std::span(&u, 1), 2, std::span(&d[0].x, 9));
-    const double speed = glm::length(d[1]);
-    const glm::dvec3 tangent = d[1] / speed;
-    const double curvature = glm::dot(glm::cross(tangent, d[2] / speed), normal_) / speed;
-    return {d[0], tangent, d[0] + side * glm::cross(normal_, tangent), (1.0 - side * curvature) * d[1]};
-  }
-
-  /// How far the place beside a curve goes between two parameters that follow each other as numbers.
-  static double rounding_of(const BesidePlace& place, double u) {
-    constexpr double kFew = 0x1p-50;
-    return kFew * std::abs(u) * glm::length(place.slope);
-  }
-
-  std::optional<Fillet> fillet(double u, double v) const {
-    constexpr double kOff = 1e-9;
-    const BesidePlace on_a = place(a_, u, sides_[0]);
-    const BesidePlace on_b = place(b_, v, sides_[1]);
-    const double radius = std::abs(sides_[0]);
-    const glm::dvec3 centre = 0.5 * (on_a.centre + on_b.centre);
-    const double room = kOff * radius + rounding_of(on_a, u) + rounding_of(on_b, v);
-    if (!(glm::distance(on_a.centre, on_b.centre) <= room)) return {};
-    if (!(glm::distance(on_a.point, on_b.point) > kOff * radius)) return {};
-    const glm::dvec3 from = on_a.point - centre;
-    const glm::dvec3 to = on_b.point - centre;
-    const double turn = glm::dot(glm::cross(from / radius, to / radius), normal_) < 0.0 ? -1.0 : 1.0;
-    const glm::dvec3 start = turn * glm::cross(normal_, from);
-    const glm::dvec3 end = turn * glm::cross(normal_, to);
-    return Fillet{arc_about(centre, on_a.point, on_b.point, turn * normal_), u, v, centre,
-                  glm::dot(start, on_a.tangent) > 0.0, glm::dot(end, on_b.tangent) > 0.0};
-  }
-
-  const NurbsCurve& a_;
-  const NurbsCurve& b_;
-  glm::dvec3 normal_;
-  std::array<double, 2> sides_;
-};
 
 /// Parameters at which a circle about a place, of about this radius, may touch a curve: all, not the nearest alone, for where a
 /// curve bends more than the circle it lies on both sides of it.
@@ -130,21 +46,32 @@ class FilletSearch {
  public:
   FilletSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal) : a_(a), b_(b), normal_(normal) {}
 
+  /// @throws CrossingUndecided
+
   void look(double side_a, double side_b, const glm::dvec3& centre) {
     const BesideBoth circle(a_, b_, normal_, {side_a, side_b});
     const double radius = std::abs(side_a);
     const std::vector<double> on_b = touching_parameters(b_, centre, radius);
+    bool has_one = false;
     for (const double u : touching_parameters(a_, centre, radius)) {
       for (const double v : on_b) {
         const auto made = circle.near(u, v);
-        if (made && !is_known(*made, radius)) found_.push_back(*made);
+        has_one = has_one || made.has_value();
+        if (made && made->fillet) add(*made->fillet, radius);
       }
     }
+    if (has_one) return;
+    // Offsets are known within a tolerance only, and have arcs and lines at corners: a crossing may stand for no arc.
+    for (const Fillet& made : CrossingSearch(a_, b_, normal_, {side_a, side_b}).near(centre)) add(made, radius);
   }
 
   std::vector<Fillet> found() && { return std::move(found_); }
 
  private:
+  void add(const Fillet& made, double radius) {
+    if (!is_known(made, radius)) found_.push_back(made);
+  }
+
   /// About one centre there may be several, where a curve touches the circle more than once.
   bool is_known(const Fillet& made, double radius) const {
     constexpr double kSame = 1e-9;
@@ -163,6 +90,18 @@ class FilletSearch {
   std::vector<Fillet> found_;
 };
 
+/// Where two offsets cross, and the ends of stretches that they have in common.
+std::vector<glm::dvec3> common_places(const NurbsCurve& of_a, const NurbsCurve& of_b) {
+  const CurveIntersections common = intersections(of_a, of_b);
+  std::vector<glm::dvec3> found;
+  for (const CurveIntersection& place : common.places) found.push_back(place.point);
+  for (const CurveOverlap& stretch : common.overlaps) {
+    found.push_back(point_at(of_a, stretch.a.start));
+    found.push_back(point_at(of_a, stretch.a.end));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b, double given_radius,
@@ -179,15 +118,20 @@ std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b
   OffsetOptions beside;
   beside.normal = up;
   FilletSearch search(a, b, up);
-  for (const double side_a : {radius, -radius}) {
-    const std::vector<NurbsCurve> beside_a = offset_parts(a, side_a, beside);
-    for (const double side_b : {radius, -radius}) {
-      for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
-        for (const NurbsCurve& of_a : beside_a) {
-          for (const CurveIntersection& place : intersections(of_a, of_b).places) search.look(side_a, side_b, place.point);
+  try {
+    for (const double side_a : {radius, -radius}) {
+      const std::vector<NurbsCurve> beside_a = offset_parts(a, side_a, beside);
+      for (const double side_b : {radius, -radius}) {
+        for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
+          for (const NurbsCurve& of_a : beside_a) {
+            for (const glm::dvec3& centre : common_places(of_a, of_b)) search.look(side_a, side_b, centre);
+          }
         }
       }
     }
+  } catch (const CrossingUndecided& open) {
+    throw InvalidShape("whether an arc of the radius about " + place_text(space.leave(open.centre)) +
+                       " touches both curves is not told: they run beside each other there for very long");
   }
   std::vector<Fillet> found = std::move(search).found();
   for (Fillet& fillet : found) {

@@ -23,6 +23,13 @@ namespace {
 /// A corner whose tangents meet farther away than so many distances is not sharp.
 constexpr double kLongestCorner = 4.0;
 
+/// How much of the direction at an end of a piece may be rounding: of what is short, and begins slowly, much.
+double direction_noise(const BezierCurve& piece) {
+  constexpr double kRounding = 0x1p-46;
+  const double degree = piece.degree();
+  return kRounding * degree * degree / length_of(piece);
+}
+
 /// Runs of pieces that follow each other, offset; what is at their joints.
 class CurveOffset {
  public:
@@ -65,7 +72,8 @@ class CurveOffset {
     double angle = std::atan2(sine, cosine);
     // Where the curve turns back its offset goes round its tip.
     constexpr double kBack = 1e-9;
-    if (cosine < 0.0 && std::abs(sine) <= kBack) angle = step_.distance > 0.0 ? -std::numbers::pi : std::numbers::pi;
+    const double unsure = direction_noise(before) + direction_noise(behind);
+    if (cosine < 0.0 && std::abs(sine) <= std::max(kBack, unsure)) angle = step_.distance > 0.0 ? -std::numbers::pi : std::numbers::pi;
     // On the inner side of a corner offsets cross; a line between them is nearer to the curve than they are.
     if (angle * step_.distance > 0.0) {
       follow(bezier_line(a.moved, b.moved));

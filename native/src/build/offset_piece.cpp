@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "cubics_along.hpp"
+#include "slope_parts.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -75,16 +76,28 @@ std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, con
   return std::vector{BezierCurve::make(std::move(made))};
 }
 
+/// Near an end at which a piece stands still first derivatives are rounding: it goes as far as the second one takes it.
+/// @returns none elsewhere
+std::optional<glm::dvec3> way_from_still_end(const BezierCurve& curve, double t, double speed, double second) {
+  constexpr double kStill = 1e-10;
+  const double rounding = 0x1p-50 * curve.degree() * curve.degree();
+  if (speed > std::max(kStill * second, std::sqrt(rounding * second))) return {};
+  const double end = t < 0.5 ? 0.0 : 1.0;
+  if (glm::length(derivatives_at(curve, end)[1]) > std::max(kStill * second, rounding)) return {};
+  const glm::dvec3 between = derivatives_at(curve, 0.5 * (t + end))[2];
+  const double length = glm::length(between);
+  return length > 0.0 ? (t < 0.5 ? 1.0 : -1.0) / length * between : glm::dvec3(0.0);
+}
+
 class PieceOffset {
  public:
   PieceOffset(const BezierCurve& curve, const SideStep& step) : curve_(curve), step_(step) {}
 
   std::vector<BezierCurve> made() {
     std::vector<double> cuts{0.0};
-    constexpr int kLooks = 16;
-    for (int i = 0; i < kLooks; ++i) {
-      const auto at = [](int k) { return static_cast<double>(k) / kLooks; };
-      if (const auto cusp = cusp_between(at(i), at(i + 1))) cuts.push_back(*cusp);
+    constexpr int kDepth = 12;
+    for (const Interval& part : parts_that_matter(curve_, step_.normal, kDepth, [&](const SlopePart& one) { return may_turn(one); })) {
+      if (const auto cusp = cusp_between(part.start, part.end)) cuts.push_back(*cusp);
     }
     cuts.push_back(1.0);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -94,6 +107,21 @@ class PieceOffset {
   }
 
  private:
+  /// Whether the offset may turn back on a part: where 1 is the distance times the curvature.
+  bool may_turn(const SlopePart& part) const {
+    const auto [least, most] = part.slope_lengths();
+    const auto [low, high] = part.bend.range();
+    const auto [light, heavy] = part.weight.range();
+    if (!(light > 0.0)) return true;
+    const double bends[] = {step_.distance * low, step_.distance * high};
+    const auto of = [](double bend, double small, double large) {
+      return bend * (bend > 0.0 ? large * large * large : small * small * small);
+    };
+    const double bent_most = of(std::max(bends[0], bends[1]), light, heavy);
+    const double bent_least = of(std::min(bends[0], bends[1]), heavy, light);
+    return least * least * least <= bent_most && most * most * most >= bent_least;
+  }
+
   double stretch(double t) const { return offset_place(curve_, t, step_).stretch; }
 
   std::optional<double> cusp_between(double low, double high) const {
@@ -131,12 +159,8 @@ class PieceOffset {
 OffsetPlace offset_place(const BezierCurve& curve, double t, const SideStep& step) {
   const auto [point, first, second] = derivatives_at(curve, t);
   const double speed = glm::length(first);
-  constexpr double kStill = 1e-10;
-  if (speed <= kStill * glm::length(second)) {
-    // It stands still at an end: the second derivative tells where it goes.
-    const double length = glm::length(second);
-    const glm::dvec3 tangent = length > 0.0 ? (t < 0.5 ? 1.0 : -1.0) / length * second : glm::dvec3(0.0);
-    return {point, tangent, point + step.distance * glm::cross(step.normal, tangent), first, 1.0};
+  if (const auto way = way_from_still_end(curve, t, speed, glm::length(second))) {
+    return {point, *way, point + step.distance * glm::cross(step.normal, *way), first, 1.0};
   }
   const glm::dvec3 tangent = first / speed;
   const double curvature = glm::dot(glm::cross(first, second), step.normal) / (speed * speed * speed);

@@ -73,6 +73,27 @@ double Flank::room(const SeamPlace& place) const {
   return place.share - (end == knots_.begin() ? 0.0 : std::prev(end)->share);
 }
 
+double Flank::weight_spread(double share) const {
+  constexpr double kMost = 1e12;
+  if (!patch_.rational()) return 1.0;
+  const bool is_u = axis_of(side_) == Axis::u;
+  const KnotVector& knots = along();
+  const int first = knots.spans()[static_cast<std::size_t>(knots.span_of(parameter_at(share), Side::right))] - knots.degree();
+  const int across_count = across().count();
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (int k = 0; k <= knots.degree(); ++k) {
+    const int line = (first + k) % knots.count();
+    for (int i = 0; i < across_count; ++i) {
+      const int at = is_u ? i * knots.count() + line : line * across_count + i;
+      const double weight = std::abs(patch_.points()[static_cast<std::size_t>(at)].w);
+      least = std::min(least, weight);
+      most = std::max(most, weight);
+    }
+  }
+  return least * kMost > most ? most / least : kMost;
+}
+
 std::vector<SeamJet> Flank::jets(std::span<const SeamPlace> places, SeamDepth depth) const {
   std::vector<SeamJet> found(places.size());
   add(places, Side::right, depth, found);

@@ -49,6 +49,9 @@ class Flank {
   /// The knots inside the side, by their parts of the way.
   std::vector<double> inner_knots() const;
 
+  /// The largest weight by the least one, of the control points that the span at a place depends on.
+  double weight_spread(double share) const;
+
   std::vector<SeamJet> jets(std::span<const SeamPlace> places, SeamDepth depth) const;
 
   /// How far it is from a place to the end of its span.

@@ -14,6 +14,7 @@
 #include "patch/rescale.hpp"
 #include "seam_angle.hpp"
 #include "seam_jets.hpp"
+#include "seam_start.hpp"
 #include "splinecore/patch/join.hpp"
 
 namespace splinecore {
@@ -151,7 +152,7 @@ Seam seam_between(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Borde
   const Placement placement = placement_of(all);
   const auto [scales_a, scales_b] = scales_along(a, side_a, b, side_b);
   const NurbsPatch first = divided(placed(a, placement), scales_a);
-  const NurbsPatch second = divided(placed(b, placement), scales_b);
+  const NurbsPatch second = begun_beside(first, side_a, divided(placed(b, placement), scales_b), side_b);
   const bool is_reversed = reversed ? *reversed : run_against(first, side_a, second, side_b);
   return {placement, std::max(extent(first.points()), extent(second.points())), is_reversed,
           Flank(first, side_a, Flank::Role::first, false), Flank(second, side_b, Flank::Role::second, is_reversed)};

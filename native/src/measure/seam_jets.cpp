@@ -10,6 +10,19 @@ namespace splinecore {
 
 namespace {
 
+/// Inside a span, where weights that differ squeeze what happens towards its ends: evenly by the logarithm of t / (1 - t), in
+/// which such curves are moved, not squeezed.
+std::vector<double> squeezed_shares(double spread, int degree) {
+  constexpr double kBeyond = 3.0;
+  constexpr double kEven = 4.0;
+  if (spread <= kEven) return {};
+  const double reach = std::log(spread) + kBeyond;
+  const int count = static_cast<int>(std::ceil(reach * degree / 3.0));
+  std::vector<double> shares;
+  for (int k = -count; k <= count; ++k) shares.push_back(1.0 / (1.0 + std::exp(-reach * k / count)));
+  return shares;
+}
+
 /// Evenly spaced in each span of either, its ends from within it.
 std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
   std::vector<double> knots{0.0, 1.0};
@@ -20,8 +33,13 @@ std::vector<SeamPlace> dense_places(const Flank& a, const Flank& b) {
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     const double length = knots[i + 1] - knots[i];
     if (length <= kSameShare) continue;
+    const double middle = knots[i] + 0.5 * length;
+    const double spread = std::max(a.weight_spread(middle), b.weight_spread(middle));
+    std::vector<double> shares = squeezed_shares(spread, a.degree_along() + b.degree_along());
+    for (int k = 1; k < count; ++k) shares.push_back(static_cast<double>(k) / count);
+    std::ranges::sort(shares);
     places.push_back({knots[i], Side::right});
-    for (int k = 1; k < count; ++k) places.push_back({knots[i] + length * k / count, Side::right});
+    for (const double share : shares) places.push_back({knots[i] + length * share, Side::right});
     places.push_back({knots[i + 1], Side::left});
   }
   return places;
@@ -55,16 +73,36 @@ bool is_level_at(const SeamJets& jets, SeamMeasure measure, std::size_t at) {
   return (at == 0 || is_same(at - 1)) && (at + 1 == jets.places.size() || is_same(at + 1));
 }
 
-/// For each place whether one beside the step from there to the next one, which has a length, is the largest of a measure.
-std::vector<bool> steps_beside_largest(const SeamJets& jets, std::span<const SeamMeasure> measures) {
+/// Places at which a measure is larger than beside them, and nearly as large as anywhere.
+std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
+  constexpr double kHigh = 0.7;
+  const std::size_t top = largest_at(jets, measure);
+  const std::size_t count = jets.places.size();
+  if (top == count) return {};
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) values.push_back(measure(jets.a[i], jets.b[i]));
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_lower = (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i]);
+    if (is_lower || !(values[i] >= kHigh * values[top])) continue;
+    if (!is_level_at(jets, measure, i)) found.push_back(i);
+  }
+  return found;
+}
+
+/// For each place whether one beside the step from there to the next one, which has a length, is such a peak of a measure.
+std::vector<bool> steps_beside_peaks(const SeamJets& jets, std::span<const SeamMeasure> measures) {
   const auto& places = jets.places;
   std::vector<bool> chosen(places.size(), false);
   for (const SeamMeasure measure : measures) {
-    const std::size_t at = largest_at(jets, measure);
-    if (at == places.size() || is_level_at(jets, measure, at)) continue;
-    const auto is_there = [&](std::size_t i) { return std::abs(places[i].share - places[at].share) <= kSameShare; };
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-      if (is_there(i) != is_there(i + 1)) chosen[i] = true;
+    for (const std::size_t at : peaks_of(jets, measure)) {
+      const auto is_there = [&](std::size_t i) { return std::abs(places[i].share - places[at].share) <= kSameShare; };
+      std::size_t before = at;
+      std::size_t behind = at;
+      while (before > 0 && is_there(before)) --before;
+      while (behind + 1 < places.size() && is_there(behind + 1)) ++behind;
+      if (!is_there(before)) chosen[before] = true;
+      if (behind + 1 < places.size()) chosen[behind] = true;
     }
   }
   return chosen;
@@ -128,7 +166,7 @@ SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::s
   constexpr int kRounds = 4;
   SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
   for (int round = 0; round < kRounds; ++round) {
-    const std::vector<bool> steps = steps_beside_largest(jets, measures);
+    const std::vector<bool> steps = steps_beside_peaks(jets, measures);
     if (std::ranges::find(steps, true) == steps.end()) break;
     jets = closer(a, b, depth, jets, steps);
   }

@@ -20,7 +20,7 @@ using SeamMeasure = double (*)(const SeamJet& a, const SeamJet& b);
 
 SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places, SeamDepth depth);
 
-/// At places that lie close in every span of either side, its ends included, and closer where a measure is largest: there to
+/// At places that lie close in every span of either side, its ends included, and closer where a measure is largest, or nearly so: there to
 /// a five-hundredth of the way between.
 SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::span<const SeamMeasure> measures);
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "ball_path.hpp"
 #include "base/length.hpp"
 #include "fit/row_spline.hpp"
 #include "fitted_patch.hpp"
@@ -18,6 +20,7 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/compatible.hpp"
+#include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/evaluate.hpp"
@@ -41,6 +44,8 @@ std::vector<double> softened(const KnotVector& knots) {
   std::erase_if(found, [&](double knot) { return multiplicity(knots, knot) >= knots.degree(); });
   return found;
 }
+
+std::string share_text(double share) { return text_of(std::round(1e4 * share) / 1e4); }
 
 namespace {
 
@@ -68,6 +73,8 @@ NurbsPatch on_same_digits(const NurbsPatch& patch, const KnotVector& wanted) {
                           {patch.points().begin(), patch.points().end()});
 }
 
+}  // namespace
+
 NurbsPatch on_knots(const NurbsPatch& given, const KnotVector& wanted) {
   const NurbsPatch patch = on_same_digits(given, wanted);
   const int more = wanted.degree() - patch.knot_vector(Axis::u).degree();
@@ -77,6 +84,8 @@ NurbsPatch on_knots(const NurbsPatch& given, const KnotVector& wanted) {
   if (!wanted.periodic()) return refined;
   return along(refined, Axis::u, [](const NurbsCurve& line) { return with_whole_seam(line); });
 }
+
+namespace {
 
 std::vector<glm::dvec4> side_points(const NurbsPatch& patch) {
   const auto count_v = static_cast<std::size_t>(patch.knot_vector(Axis::v).count());
@@ -215,15 +224,6 @@ class FilletFit {
   bool is_soft_ = false;
 };
 
-/// A point of the arc of a ball between its contacts, as a conic has it.
-glm::dvec3 on_arc(const Contact& contact, double v) {
-  const glm::dvec4 tip = tip_of(contact);
-  const double a = (1.0 - v) * (1.0 - v);
-  const double b = v * v;
-  const double middle = 2.0 * v * (1.0 - v);
-  return (a * contact.first + middle * glm::dvec3(tip) + b * contact.second) / (a + middle * tip.w + b);
-}
-
 /// With these rows of control points as its first and its last one along v.
 NurbsPatch with_sides(const NurbsPatch& patch, const std::vector<glm::dvec4>& first, const std::vector<glm::dvec4>& last) {
   std::vector<glm::dvec4> net(patch.points().begin(), patch.points().end());
@@ -235,14 +235,6 @@ NurbsPatch with_sides(const NurbsPatch& patch, const std::vector<glm::dvec4>& fi
   return patch.with_points(std::move(net));
 }
 
-double largest_step(const std::vector<glm::dvec4>& from, const std::vector<glm::dvec4>& to) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < from.size(); ++i) largest = std::max(largest, distance_of(glm::dvec3(from[i]), glm::dvec3(to[i])));
-  return largest;
-}
-
-std::vector<glm::dvec4> last_points(const NurbsPatch& patch) { return side_points(reversed(patch, Axis::v)); }
-
 /// How much farther along the first patch the ball is where it touches the second at u; of closed ones less than once round, without
 /// a jump where that is never half the way round more than at the start.
 double ahead(const RollingBall& ball, double u, bool is_closed) {
@@ -252,6 +244,47 @@ double ahead(const RollingBall& ball, double u, bool is_closed) {
   return at_start + std::remainder(by - at_start, 1.0);
 }
 
+/// What a fillet that is hard to have does at a place of the edge, in words.
+std::string bend_at(const RollingBall& ball, double u) {
+  constexpr double kSteep = 0.25;
+  constexpr double kNear = 0x1p-5;
+  const std::string place = share_text(u) + " of the edge";
+  if (std::abs(ball.growth(u)) > kSteep) return "whose radius changes abruptly at " + place;
+  const std::vector<BallJoint> joints = ball.joints();
+  const auto nearest = std::ranges::min_element(joints, {}, [&](const BallJoint& joint) { return std::abs(joint.at - u); });
+  if (nearest == joints.end() || std::abs(nearest->at - u) > kNear) return "which bends abruptly at " + place;
+  return "which bends abruptly at " + place + ", by " + nearest->what;
+}
+
+/// Lines across go from one u of the first patch to the same of the second.
+Approximation<NurbsPatch> fitted_across(const NurbsPatch& model, const RollingBall& ball, double whole) {
+  constexpr double kShare = 0.36;  // the rest is for sides that become those of what is left of the patches
+  const double tolerance = kShare * whole;
+  constexpr std::size_t kMost = 1 << 16;
+  constexpr double kOfTolerance = 0x1p-12;
+  const bool is_closed = model.knot_vector(Axis::u).periodic();
+  const auto end_of = [&](double u) { return u + ahead(ball, u, is_closed); };
+  const Interval range = is_closed ? Interval{0.0, 1.0} : Interval{std::min(0.0, end_of(0.0)), std::max(1.0, end_of(1.0))};
+  const BallPath path(ball, range, is_closed, kOfTolerance * tolerance);
+  const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      breathe(v.size());
+      const std::vector<double> along = ball.between(u[i], end_of(u[i]), v);
+      for (std::size_t j = 0; j < v.size(); ++j) points[i * v.size() + j] = path.at(along[j]).at(v[j]);
+    }
+  };
+  try {
+    Approximation<NurbsPatch> made = fitted_patch(model, surface, tolerance, kMost);
+    made.error += path.error();
+    return made;
+  } catch (const SurfaceMissed& missed) {
+    const double shares[] = {missed.v};
+    const double u = ball.between(missed.u, end_of(missed.u), shares)[0];
+    throw ToleranceNotReached("the fillet, " + bend_at(ball, u) + ", and slants across there, cannot be had", whole,
+                              missed.error() / kShare);
+  }
+}
+
 }  // namespace
 
 FilletBetween fillet_of_arcs(const NurbsPatch& first, const NurbsPatch& second, const RollingBall& ball, double tolerance) {
@@ -259,29 +292,18 @@ FilletBetween fillet_of_arcs(const NurbsPatch& first, const NurbsPatch& second, 
 }
 
 FilletBetween slanted_fillet(const NurbsPatch& first, const NurbsPatch& second, const RollingBall& ball, double tolerance) {
-  constexpr double kShare = 0.25;
-  constexpr std::size_t kMost = 1 << 14;  // where patches bend abruptly across the edge more would not come nearer
   const FilletBetween rough = FilletFit(first, second, ball).rough();
-  const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const double end = u[i] + ahead(ball, u[i], first.knot_vector(Axis::u).periodic());
-      const std::vector<double> along = ball.between(u[i], end, v);
-      for (std::size_t j = 0; j < v.size(); ++j) {
-        breathe(64);
-        points[i * v.size() + j] = on_arc(ball.at(along[j], true), v[j]);
-      }
-    }
-  };
-  const Approximation<NurbsPatch> made = fitted_patch(rough.fillet, surface, kShare * tolerance, kMost);
+  const Approximation<NurbsPatch> made = fitted_across(rough.fillet, ball, tolerance);
   const KnotVector& knots = made.value.knot_vector(Axis::u);
   const NurbsPatch left_a = on_knots(rough.first, knots);
   const NurbsPatch left_b = on_knots(rough.second, knots);
-  const std::vector<glm::dvec4> side_a = side_points(left_a);
-  const std::vector<glm::dvec4> side_b = side_points(left_b);
-  const double moved = std::max(largest_step(side_points(made.value), side_a), largest_step(last_points(made.value), side_b));
+  const double moved = std::max(largest_distance(boundary(made.value, Border::v_start), boundary(left_a, Border::v_start)),
+                                largest_distance(boundary(made.value, Border::v_end), boundary(left_b, Border::v_start)));
   const double error = made.error + moved;
-  if (error > tolerance) throw ToleranceNotReached("the fillet cannot be had between what is left of the patches", tolerance, error);
-  return {left_a, with_sides(made.value, side_a, side_b), left_b, error};
+  if (error > tolerance) {
+    throw ToleranceNotReached("the fillet cannot be had between what is left of the patches", tolerance, error);
+  }
+  return {left_a, with_sides(made.value, side_points(left_a), side_points(left_b)), left_b, error};
 }
 
 }  // namespace splinecore

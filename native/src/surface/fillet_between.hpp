@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "rolling_ball.hpp"
@@ -17,6 +18,12 @@ std::vector<double> inner_knots(const KnotVector& knots);
 
 /// These, but for those that are as often as the degree: inserted, they make splines one derivative less smooth there.
 std::vector<double> softened(const KnotVector& knots);
+
+/// A share of an edge, for sentences.
+std::string share_text(double share);
+
+/// The same patch of a higher degree along u, and with more knots, so that these are those wanted.
+NurbsPatch on_knots(const NurbsPatch& patch, const KnotVector& wanted);
 
 /// What is left of two patches, v_start of both at the fillet, u along it over [0, 1], and the fillet between.
 struct FilletBetween {

@@ -70,6 +70,9 @@ std::vector<double> joints_of(const NurbsPatch& patch, const NurbsPatch& other, 
   return found;
 }
 
+/// Of the tolerance, for what is left of the patches: the fillet is measured from where they should be.
+constexpr double kCut = 0.25;
+
 /// What is left of a patch beyond the contact, at each u of its own. Cut where the contact is a line of parameters.
 Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& other, const RollingBall& ball,
                                     const std::vector<double>& places, bool is_first, double tolerance) {
@@ -85,14 +88,21 @@ Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& o
   const int more = kSmooth - patch.knot_vector(Axis::u).degree();
   const NurbsPatch raised = more > 0 ? elevated(patch, Axis::u, more) : patch;
   const NurbsPatch model = refine(raised, Axis::u, joints_of(raised, other, ball, is_first));
-  return fitted_patch(model, [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
+  const auto surface = [&](std::span<const double> u, std::span<const double> v, std::span<glm::dvec3> points) {
     for (std::size_t i = 0; i < u.size(); ++i) {
       const double start = contact_at(u[i]);
       std::vector<double> at;
       for (const double t : v) at.push_back(start + t * (1.0 - start));
       evaluate_grid(patch, u.subspan(i, 1), at, std::span(&points[i * v.size()].x, 3 * v.size()));
     }
-  }, tolerance, kMost);
+  };
+  try {
+    return fitted_patch(model, surface, kCut * tolerance, kMost);
+  } catch (const SurfaceMissed& missed) {
+    const std::string whose = is_first ? "the first patch" : "the second patch";
+    throw ToleranceNotReached("what is left of " + whose + " beside the fillet cannot be had near " + share_text(missed.u) +
+                              " of its edge", tolerance, missed.error() / kCut);
+  }
 }
 
 /// Whether the ball touches both patches at the same u everywhere.
@@ -141,10 +151,9 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
   const NumbersAlong by_edge(over_edge, {0.0, 1.0}, is_closed, "radius");
   const RollingBall ball(a, b, by_edge, beside.places);
   const std::vector<double> places = places_along(a, b);
-  constexpr double kCut = 0.25;  // of the tolerance, for what is left of the patches: the fillet is measured from where they should be
   const auto within_tolerance = [&](const auto& make) { return said_outside(space, make); };
-  const auto left_a = within_tolerance([&] { return shortened(a, b, ball, places, true, kCut * within); });
-  const auto left_b = within_tolerance([&] { return shortened(b, a, ball, places, false, kCut * within); });
+  const auto left_a = within_tolerance([&] { return shortened(a, b, ball, places, true, within); });
+  const auto left_b = within_tolerance([&] { return shortened(b, a, ball, places, false, within); });
   const FilletBetween made = within_tolerance([&] {
     return !beside.places && is_even(ball, places) ? fillet_of_arcs(left_a.value, left_b.value, ball, within)
                                                    : slanted_fillet(left_a.value, left_b.value, ball, within);

@@ -80,16 +80,20 @@ class SurfaceFit {
   SurfaceFit(const NurbsPatch& model, const SurfaceFunction& surface) : model_(ready(model)), surface_(surface) { meet(); }
 
   Approximation<NurbsPatch> within(double tolerance, std::size_t most) {
+    Round before;
     for (;;) {
       Missed missed = missed_places(kSeen * tolerance);
       if (missed.u.empty() && missed.v.empty()) {
         missed = looked_at_closely(missed, tolerance);
         if (missed.u.empty()) return {*made_, std::min(tolerance, missed.error / kSeen)};
       }
-      if (made_->points().size() > most) {
-        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made_->points().size()) + " control points",
-                                  tolerance, missed.error);
+      const Round now{static_cast<double>(made_->points().size()), missed.error};
+      if (now.count > static_cast<double>(most) || is_hopeless(before, now, kSeen * tolerance, static_cast<double>(most))) {
+        const std::string what = "the surface cannot be had with " + std::to_string(made_->points().size()) + " control points: most is " +
+                                 "missed at u = " + text_of(missed.at[0]) + ", v = " + text_of(missed.at[1]);
+        throw SurfaceMissed(what, tolerance, missed.error / kSeen, missed.at[0], missed.at[1]);
       }
+      before = now;
       if (!raised()) {
         if (!missed.u.empty()) model_ = refine(model_, Axis::u, missed.u);
         if (!missed.v.empty()) model_ = refine(model_, Axis::v, missed.v);
@@ -99,11 +103,27 @@ class SurfaceFit {
   }
 
  private:
+  /// So many control points, and what they miss.
+  struct Round {
+    double count = 0.0;
+    double error = 0.0;
+  };
+
+  /// Whether points up to the most, by which the error falls as from one round to the next, would miss the surface by far.
+  static bool is_hopeless(const Round& before, const Round& now, double tolerance, double most) {
+    constexpr double kLate = 8.0;
+    constexpr double kFar = 2.0;
+    if (before.count == 0.0 || now.count * kLate < most || !(now.count > before.count)) return false;
+    const double rounds = 1.0 + std::log(most / now.count) / std::log(now.count / before.count);
+    return now.error * std::pow(std::min(1.0, now.error / before.error), rounds) > kFar * tolerance;
+  }
+
   /// Middles of spans in which the surface was missed.
   struct Missed {
     std::vector<double> u;
     std::vector<double> v;
     double error = 0.0;
+    std::array<double, 2> at{};  ///< where that is
   };
 
   bool raised() {
@@ -227,7 +247,10 @@ class SurfaceFit {
     const auto look = [&](const std::vector<double>& u, const std::vector<double>& v, std::size_t each_u, std::size_t each_v) {
       const std::vector<double> off = distances(u, v);
       for (std::size_t k = 0; k < off.size(); ++k) {
-        missed.error = std::max(missed.error, off[k]);
+        if (off[k] > missed.error) {
+          missed.error = off[k];
+          missed.at = {u[k / v.size()], v[k % v.size()]};
+        }
         if (off[k] <= tolerance) continue;
         if (each_u > 0) misses_u[k / v.size() / each_u] = 1;
         if (each_v > 0) misses_v[k % v.size() / each_v] = 1;
@@ -305,6 +328,9 @@ class SurfaceFit {
 };
 
 }  // namespace
+
+SurfaceMissed::SurfaceMissed(const std::string& what, double tolerance, double error, double at_u, double at_v)
+    : ToleranceNotReached(what, tolerance, error), u(at_u), v(at_v) {}
 
 Approximation<NurbsPatch> fitted_patch(const NurbsPatch& model, const SurfaceFunction& surface, double tolerance,
                                        std::size_t most) {

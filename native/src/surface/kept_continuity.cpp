@@ -28,7 +28,8 @@ void require_continuity(const NurbsPatch& made, Border border, const LoftNeighbo
   const SeamContinuity seam = seam_continuity(own, border, other, neighbour.side, kCurvature, {}, reversed);
   if (seam.gap > kApart) {
     const NurbsCurve edge = boundary(other, neighbour.side);
-    if (edge.knot_vector().periodic() || distance_of(end_point(edge, false), end_point(edge, true)) <= kApart) return;
+    const bool are_periodic = edge.periodic() && boundary(own, border).periodic();
+    if (!are_periodic && (edge.periodic() || distance_of(end_point(edge, false), end_point(edge, true)) <= kApart)) return;
     throw ToleranceNotReached("the patch cannot be made so exactly that it begins along the side of " + name,
                               space.length(kApart), space.length(seam.gap));
   }

@@ -9,7 +9,8 @@
 namespace splinecore {
 
 /// Sees whether a patch that was made goes on from a neighbour as it is to: with tangent planes to 1e-4 radians, with curvatures
-/// to 1e-3 of the largest one along the side. Sides that begin in different places, as closed ones may, are not seen.
+/// to 1e-3 of the largest one along the side. Closed sides, of which one is not periodic, are not seen where they begin
+/// in different places.
 /// @param name      of the neighbour
 /// @param reversed  whether it runs against the patch; without, what is nearer
 /// @throws ToleranceNotReached

@@ -10,6 +10,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "fillet_between.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/patch/ends.hpp"
 #include "splinecore/patch/evaluate.hpp"
@@ -116,6 +117,20 @@ Contact RollingBall::start(double u, bool is_of_first) const {
   contact.on_first = inside(first_, {on_first, start_a + away / length_of(a.along_v)});
   contact.on_second = inside(second_, {on_second, start_b + away / length_of(b.along_v)});
   return contact;
+}
+
+std::vector<BallJoint> RollingBall::joints() const {
+  std::vector<BallJoint> found;
+  for (const double knot : inner_knots(first_.knot_vector(Axis::u))) found.push_back({knot, "a knot of the first patch"});
+  for (const double knot : inner_knots(second_.knot_vector(Axis::u))) {
+    found.push_back({at(knot, false).on_first.x, "a knot of the second patch"});
+  }
+  for (const double given : radii_.joints()) found.push_back({given, "a radius that is given"});
+  if (first_.knot_vector(Axis::u).periodic()) {
+    for (BallJoint& joint : found) joint.at -= std::floor(joint.at);
+  }
+  std::ranges::stable_sort(found, {}, &BallJoint::at);
+  return found;
 }
 
 std::vector<double> RollingBall::between(double from, double to, std::span<const double> shares) const {

@@ -27,6 +27,12 @@ struct Contact {
   double circle_radius;
 };
 
+/// Where along the edge the way of a ball may be less smooth.
+struct BallJoint {
+  double at;         ///< a parameter of the first patch
+  const char* what;  ///< is there
+};
+
 /// A ball beside the edge of two patches, which is v_start of both, u running along it over [0, 1].
 class RollingBall {
  public:
@@ -39,6 +45,12 @@ class RollingBall {
   /// Where it touches the first, or the second patch at a parameter along the edge.
   /// @throws InvalidShape if it does not
   Contact at(double u, bool is_of_first) const;
+
+  /// Knots of both patches, and where radii are given, in order.
+  std::vector<BallJoint> joints() const;
+
+  /// By how much the radius changes with the parameter of the first patch.
+  double growth(double u) const { return radii_.slope_beyond(u); }
 
   /// Of the first patch, shares of the way from one parameter along the edge to another: of rims that are run through at different
   /// paces by lengths, which have no kinks where parameters have.

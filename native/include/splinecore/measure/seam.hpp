@@ -34,8 +34,8 @@ struct SeamContinuity {
 /// Measured at places that lie close in every span of either side, its ends included, and on both sides of knots, and closer
 /// where gap, angle or difference of curvatures are largest; or at the places given, in [0, 1].
 ///
-/// Places of a and b are those equally far along their parameters. Normals are those of the way from a to b and of
-/// a's side, whichever way the parameters run, so that the angle is 0 where b goes on. Patches with a common side
+/// Places of a and b are those equally far along their parameters, of closed sides from where b passes the beginning of a.
+/// Normals are those of the way from a to b and of a's side, whichever way the parameters run, so that the angle is 0 where b goes on. Patches with a common side
 /// and tangent planes are as curved in every direction if they are at right angles to the side (Pegna and Wolter,
 /// 1992), so one number decides g = 2. The ends have no gap if they lie apart by no more than rounding does; other
 /// differences are none as in continuity_between(), and curvatures below the tolerance divided by the patches' size.

@@ -30,7 +30,8 @@ struct RoundedEdge {
 /// @param radii  at parameters of the first patch along the edge, between which they go without overshoot
 /// @param tolerance  none: 2^-20 of the size of the patches
 /// @throws InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0, changes faster than the
-///         ball goes on, or is too large for a patch, so that the ball does not touch it, or a side is a seam; ToleranceNotReached.
+///         ball goes on, or is too large for a patch, so that the ball does not touch it, or a side is a seam; ToleranceNotReached, which says
+///         where along the edge, and whether by a knot of a patch or by the radius.
 RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch& second, Border second_side,
                    std::span<const RailNumber> radii, std::optional<double> tolerance = {});
 

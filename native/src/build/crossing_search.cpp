@@ -1,0 +1,92 @@
+#include "crossing_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+using BoxPair = std::pair<OffsetBox, OffsetBox>;
+
+bool can_be_halved(const OffsetBox& box) {
+  constexpr double kLast = 0x1p-48;
+  const Interval& part = box.part();
+  return part.length() > kLast * std::max(1.0, std::abs(part.middle()));
+}
+
+bool holds(const Interval& part, double u) {
+  const double room = 0x1p-20 * part.length();
+  return u >= part.start - room && u <= part.end + room;
+}
+
+bool holds(const BoxPair& pair, const TouchedBoth& places) {
+  return holds(pair.first.part(), places.a) && holds(pair.second.part(), places.b);
+}
+
+/// Whether Newton's method may go from the middles.
+bool is_nearly_straight(const BoxPair& pair) {
+  constexpr double kStraight = 0.5;
+  return pair.first.half_angle() < kStraight && pair.second.half_angle() < kStraight;
+}
+
+}  // namespace
+
+CrossingSearch::CrossingSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
+    : view_(normal),
+      both_(a, b, normal, sides),
+      reach_(std::max(0x1p-5 * std::abs(sides[0]), 0x1p-9)),
+      beside_a_(offset_boxes(a, view_, sides[0])),
+      beside_b_(offset_boxes(b, view_, sides[1])) {}
+
+std::vector<Fillet> CrossingSearch::near(const glm::dvec3& centre) const {
+  constexpr int kMost = 1 << 14;
+  const glm::dvec2 place = view_.seen(centre);
+  const auto is_off = [&](const OffsetBox& box) { return is_beyond(box, place, reach_); };
+  std::vector<OffsetBox> near_b = beside_b_;
+  std::erase_if(near_b, is_off);
+  std::vector<BoxPair> open;
+  for (const OffsetBox& box : beside_a_) {
+    if (is_off(box)) continue;
+    for (const OffsetBox& other : near_b) open.emplace_back(box, other);
+  }
+  std::vector<Fillet> found;
+  for (int count = 0; !open.empty(); ++count) {
+    breathe(256);
+    if (count > kMost) throw CrossingUndecided(centre);
+    const BoxPair pair = std::move(open.back());
+    open.pop_back();
+    if (is_off(pair.first) || is_off(pair.second) || are_apart(pair.first, pair.second)) continue;
+    if (is_nearly_straight(pair)) {
+      const auto made = both_.near(pair.first.part().middle(), pair.second.part().middle());
+      if (made && holds(pair, *made)) {
+        if (made->fillet) found.push_back(*made->fillet);
+        continue;
+      }
+    }
+    const bool can_a = can_be_halved(pair.first);
+    const bool can_b = can_be_halved(pair.second);
+    // To the last digits, what has no tangent is touched by nothing.
+    if ((!can_a && !pair.first.is_bounded()) || (!can_b && !pair.second.is_bounded())) continue;
+    if (!can_a && !can_b) {
+      const auto made = both_.at(pair.first.part().middle(), pair.second.part().middle());
+      if (made && made->fillet) found.push_back(*made->fillet);
+      continue;
+    }
+    if (can_a && (!can_b || pair.first.size() >= pair.second.size())) {
+      auto [one, other] = pair.first.halves();
+      open.emplace_back(std::move(one), pair.second);
+      open.emplace_back(std::move(other), pair.second);
+    } else {
+      auto [one, other] = pair.second.halves();
+      open.emplace_back(pair.first, std::move(one));
+      open.emplace_back(pair.first, std::move(other));
+    }
+  }
+  return found;
+}
+
+}  // namespace splinecore
