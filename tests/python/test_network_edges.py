@@ -66,7 +66,7 @@ def edge_and_network(rng):
 def test_an_edge_stays_an_edge(inputs):
     """Closed and open, rational and not, with uneven knots, against and along, at one pace with the opposite curve or not."""
     tried = made_count = 0
-    for seed in range(inputs(300)):
+    for seed in range(inputs(1000)):
         rng = np.random.default_rng([seed, 51])
         drawn = edge_and_network(rng)
         if drawn is None:
@@ -84,13 +84,13 @@ def test_an_edge_stays_an_edge(inputs):
         size = np.ptp(edge.points, axis=0).max()
         kept = [pace for pace in made.paces if pace is not None]
         assert sum(pace <= 1e-11 * size for pace in kept) >= len(kept) - (0 if is_even else 1), (seed, made.paces)
-    assert made_count > 0.97 * tried > 0.5 * inputs(300)
+    assert made_count > 0.97 * tried > 0.5 * inputs(1000)
 
 
 def test_paces_are_how_far_the_sides_are_off(inputs):
     """Against the distances at 2,000 even places, both ways round."""
     seen = 0
-    for seed in range(inputs(200)):
+    for seed in range(inputs(1000)):
         rng = np.random.default_rng([seed, 52])
         drawn = edge_and_network(rng)
         if drawn is None or drawn[4] or drawn[1].periodic:
@@ -106,7 +106,7 @@ def test_paces_are_how_far_the_sides_are_off(inputs):
                        for one in (drawn[2][0], drawn[2][0].reversed(), drawn[2][1], drawn[2][1].reversed()))
             assert true <= 1.02 * pace + 1e-12 and pace <= 1.02 * true + 1e-12, (seed, pace, true)
             seen += pace > 1e-6
-    assert seen >= 0.05 * inputs(200)
+    assert seen >= 0.05 * inputs(1000)
 
 
 def test_the_curve_given_first_keeps_its_pace():
@@ -155,7 +155,7 @@ def test_four_rational_edges_whose_weights_agree_in_no_corner(inputs):
     """Weights of borders are multiplied by linear functions: all four stay edges, or where weights between would not stay positive
     it is said that they do not."""
     kept = 0
-    for seed in range(inputs(200)):
+    for seed in range(inputs(1000)):
         rng = np.random.default_rng([seed, 53])
         corners = rng.normal(size=(2, 2, 3)) + 6 * np.array([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]])
 
@@ -172,4 +172,4 @@ def test_four_rational_edges_whose_weights_agree_in_no_corner(inputs):
             beside = build.extrude(curve, (0, 0, 3))
             is_shared = any({a[0], b[0]} == {0, 1} for a, b in sc.PatchSet.from_patches([beside, made.value]).seams())
             assert is_shared or not is_kept, seed
-    assert kept > 0.8 * inputs(200)
+    assert kept > 0.8 * inputs(1000)

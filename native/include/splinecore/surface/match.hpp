@@ -19,9 +19,10 @@ struct MatchOptions {
 /// surfaces).
 ///
 /// Along the side both get, exactly, one degree and the same knots. Of the rows of control points beside the side the
-/// first ones follow from the other patch's derivatives, at one pace, or half of it, and so on, where weights would not
-/// stay positive; of those that may move, too, the others go with them so that the differences of what they move by are
-/// as even as can be. The rest stay where they are: the patch is raised in degree until the opposite side is among these.
+/// first ones follow from the other patch's derivatives, at one pace, or at a lower one where weights would not stay
+/// positive, or points would lie off the straight ways out by more than 1.5 times these; of those that may move, too, the
+/// others go with them so that the differences of what they move by are as even as can be. The rest stay where they are:
+/// the patch is raised in degree until the opposite side is among these.
 /// @returns the patch over its domain, and the largest distance by which a point of it moved, at equal parameters
 /// @throws InvalidShape if the continuity is not from 0 to 3, or rows are too few for it, the strength is not above 0, a
 ///         patch stands still across its side, that is the seam of a periodic direction, or lies at infinity;
