@@ -259,8 +259,8 @@ def test_normals_at_extraordinary_points_are_those_of_the_scheme(inputs):
         if rng.random() < 0.2:
             points[1] = points[2]
         size, scale, far, turn = np.ptp(points, axis=0).max(), 10**rng.uniform(-12, 9), rng.choice([0, 1, 1e3, 1e6]), rotation(rng)
-        want = limit_normal(points, faces, 0) @ turn.T
         points = scale * (points @ turn.T + far * size * rng.uniform(-1, 1, 3))
+        want = limit_normal(points - points[0], faces, 0)  # of points as far away rounds them
         made = build.catmull_clark(points, faces)
         middle = limit_points(points, faces, 0)[0]
         found = 0
@@ -269,7 +269,7 @@ def test_normals_at_extraordinary_points_are_those_of_the_scheme(inputs):
                 continue
             found += 1
             _, normals = patch.evaluate_grid_with_normals([1.0], [1.0])
-            assert np.linalg.norm(normals[0, 0] - want) <= 1e-9 + 1e-12 * far, seed
+            assert np.linalg.norm(normals[0, 0] - want) <= 1e-9 + 1e-11 * far, seed  # patches are rounded there, too
         assert found == valence and made.angle <= 1e-8 + 1e-12 * far, seed
 
 
