@@ -90,8 +90,9 @@ void bind_match(py::module_& build) {
             "The patch whose side is that of another one, and which goes on from there as that does, 'G0' to 'G3': (value, error),\n"
             "a NurbsPatch over the same domain, and the largest distance by which a point moved (Farin 2002; row S21).\n\n"
             "The first rows of control points beside the side follow from the other patch's derivatives, at the speed with which they\n"
-            "move least times the strength; of `rows` that may move the others go with them evenly, and the rest stay where they are. Without\n"
-            "`reversed` the nearer ends say which way the sides run.\n"
+            "move least times the strength, or at a lower one where weights would not stay positive, or points would lie off the\n"
+            "straight ways out by more than 1.5 times these; of `rows` that may move the others go with them evenly, and the rest stay\n"
+            "where they are. Without `reversed` the nearer ends say which way the sides run.\n"
             "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction;\n"
             "ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians, or off the curvatures by\n"
             "more than a thousandth of the largest.");

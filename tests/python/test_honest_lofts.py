@@ -81,6 +81,24 @@ def test_knots_of_their_own_are_refused_before_they_fill_the_memory():
     assert few.points.shape == (904, 30, 3)
 
 
+def test_many_sections_with_knots_of_their_own_take_their_share_of_time():
+    """One knot vector is looked for along the hardest of them, not along all of them at each count of spans."""
+    rng = np.random.default_rng(1)
+    sections = []
+    for i in range(180):
+        own = (np.arange(1, 61) + rng.uniform(-0.3, 0.3, 60)) / 61
+        x = np.linspace(0, 1, 64)
+        points = np.c_[x, 0.2 * np.sin(9 * x + i / 10) + 1e-3 * rng.normal(size=64), np.full(64, 0.1 * i)]
+        sections.append(sc.NurbsCurve(3, np.r_[[0] * 4, own, [1] * 4], points))
+    start = time.process_time()
+    made = build.loft(sections, tolerance=1e-3)
+    assert time.process_time() - start < 5
+    assert made.error <= 1e-3 and made.value.points.shape[0] < 100
+    u = np.linspace(0, 1, 201)
+    for section, v in ((sections[0], 0.0), (sections[-1], 1.0)):
+        assert np.linalg.norm(made.value.isocurve('v', v).evaluate(u) - section.evaluate(u), axis=1).max() <= made.error
+
+
 @pytest.mark.parametrize("spans", [100, 200, 400])
 def test_parameters_see_every_span(spans):
     """Sections that are apart in every second span alone."""

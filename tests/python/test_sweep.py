@@ -162,3 +162,12 @@ def test_corners_of_straight_rails_are_mitred():
 def test_what_cannot_be_swept_is_refused(rail, sections, more, words):
     with pytest.raises(sc.InvalidShape, match=words):
         build.sweep(rail, sections, **more)
+
+
+def test_a_twist_that_rows_could_not_follow_is_refused():
+    """At places for which it is made of whole turns it could not be told from none."""
+    rail = sc.BezierCurve([(0, 0, 0), (0, 0, 9)])
+    section = sc.BezierCurve([(1, 0, 0), (2, 0, 0)])
+    for twist in (80 * np.pi * 4096, -1e9):
+        with pytest.raises(sc.InvalidShape, match="at most 1024 turns"):
+            build.sweep(rail, section, twist=twist, tolerance=1e-3)

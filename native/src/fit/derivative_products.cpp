@@ -35,13 +35,16 @@ ProductBand derivative_products(const KnotVector& knots, int order) {
   return band;
 }
 
-ProductBand difference_products(const KnotVector& knots, int order) {
+ProductBand difference_products(const KnotVector& knots, int order) { return difference_products_from(knots, order, 0.0); }
+
+ProductBand difference_products_from(const KnotVector& knots, int order, double shortest) {
   ProductBand band(knots);
   const int degree = knots.degree() - order;
   if (degree < 0) return band;
   const auto chain = knots.unrolled();
   const auto width = static_cast<std::size_t>(degree) + 1;
   for (const int span : knots.spans()) {
+    if (chain[static_cast<std::size_t>(span) + 1] - chain[static_cast<std::size_t>(span)] < shortest) continue;
     const auto near = chain.subspan(static_cast<std::size_t>(span - degree), 2 * width);
     const std::vector<double> rows = gram_rows(KnotVector::make(degree, {near.begin(), near.end()}), 0);
     add_rows(static_cast<std::size_t>(span - degree), rows, width, band);

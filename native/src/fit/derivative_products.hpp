@@ -36,6 +36,9 @@ ProductBand derivative_products(const KnotVector& knots, int order);
 /// Integrals of products of the functions of the derivative of this order, which lie on the same knots.
 ProductBand difference_products(const KnotVector& knots, int order);
 
+/// The same over the spans that are not shorter than a length.
+ProductBand difference_products_from(const KnotVector& knots, int order, double shortest);
+
 /// By these the differences of control point i of the derivative of this order from the one before are control points of
 /// the next derivative. None reaches over the ends, or over knots where a function ends before it starts.
 std::vector<double> difference_steps(const KnotVector& knots, int order);

@@ -43,6 +43,13 @@ void require_curve(const NurbsCurve& curve) {
   }
 }
 
+/// Spans in which bending is not counted: beside the mean one they are so short that beside their numbers nothing would be
+/// left of others. The curve hardly goes on there, or what it does is like a corner.
+double shortest_in(const KnotVector& knots) {
+  constexpr double kShortest = 0x1p-12;
+  return kShortest * knots.domain().length() / static_cast<double>(knots.spans().size());
+}
+
 /// Fairs by a factor of the energy that is a power of two.
 class Fairing {
  public:
@@ -54,9 +61,10 @@ class Fairing {
       for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(point[c]));
     }
     exponent_ = largest > 0.0 ? std::ilogb(largest) : 0;
+    const auto near = [&](const glm::dvec4& point, int c) { return std::ldexp(point[c], -exponent_); };
     std::vector<glm::dvec4> plain;
     for (const glm::dvec4& point : curve.points()) {
-      for (int c = 0; c < 3; ++c) controls_.push_back(std::ldexp(point[c], -exponent_));
+      for (int c = 0; c < 3; ++c) controls_.push_back(near(point, c) - near(curve.points().front(), c));
       plain.emplace_back(glm::make_vec3(controls_.data() + controls_.size() - 3), 1.0);
     }
     values_.resize(3 * nodes_.parameters.size());
@@ -68,7 +76,7 @@ class Fairing {
     const double factor = std::exp2(exponent) * std::pow(knots_.domain().length(), 3);
     std::vector<double> controls = controls_;
     try {
-      const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, factor, held_);
+      const LeastSquaresFit fit(knots_, nodes_.parameters, nodes_.weights, factor, held_, shortest_in(knots_));
       fit.solve_points(values_, controls);
     } catch (const InvalidShape&) {
       return {};
@@ -76,7 +84,8 @@ class Fairing {
     std::vector<glm::dvec4> points(curve_.points().begin(), curve_.points().end());
     for (std::size_t i = 0; i < points.size(); ++i) {
       for (int c = 0; c < 3; ++c) {
-        points[i][c] = std::ldexp(controls[3 * i + static_cast<std::size_t>(c)], exponent_);
+        const std::size_t at = 3 * i + static_cast<std::size_t>(c);
+        points[i][c] += std::ldexp(controls[at] - controls_[at], exponent_);
       }
     }
     NurbsCurve made = curve_.with_points(std::move(points));
@@ -89,7 +98,7 @@ class Fairing {
   KnotVector knots_;
   Held held_;
   QuadratureNodes nodes_;
-  int exponent_ = 0;   // the largest coordinate is near 2 to this power; what follows is divided by it
+  int exponent_ = 0;   // the largest coordinate is near 2 to this power; what follows is divided by it, from the first point
   std::vector<double> controls_;
   std::vector<double> values_;
 };

@@ -43,13 +43,13 @@ std::size_t first_from(std::span<const double> parameters, std::size_t begin, do
 }  // namespace
 
 LeastSquaresFit::LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
-                                 double smoothing, const Held& held)
+                                 double smoothing, const Held& held, double shortest)
     : knots_(std::move(knots)), parameters_(parameters), weights_(weights), weight_scale_(scale_of(largest_of(weights))),
       smoothing_(smoothing), held_(held) {
   if (smoothing_ > 0.0) {
-    bending_ = bending_matrix(knots_.degree(), kBent);
     const auto [exponent, near] = near_one(knots_);
-    slope_.emplace(near);
+    slope_.emplace(near, std::ldexp(shortest, -exponent));
+    if (!slope_->has_products()) bending_ = bending_matrix(knots_.degree(), kBent);
     slope_factor_ = energy_of(std::ldexp(1.0, exponent));
   }
   place();
@@ -124,6 +124,9 @@ void LeastSquaresFit::add_products() {
     }
     add_piece_products(knots_, s, sums, products_);
   }
+  if (!slope_ || !bending_.empty()) return;
+  const std::vector<double> energy = slope_->products();
+  for (std::size_t k = 0; k < products_.size(); ++k) products_[k] += slope_factor_ * energy[k];
 }
 
 /// Of the control points that are not held.
@@ -208,9 +211,37 @@ InvalidShape LeastSquaresFit::undetermined() const {
                       " leaves nothing of the points: knots farther from each other or less smoothing are needed");
 }
 
+/// Rows and columns by powers of two that bring the diagonal near 1, as pieces of very different lengths need.
+std::vector<int> LeastSquaresFit::balance(BandedRows& rows) const {
+  std::vector<int> exponents;
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const double own = products_[(i + held_.start) * width()];
+    exponents.push_back(own > 0.0 ? -std::ilogb(own) / 2 : 0);
+  }
+  const auto count = static_cast<std::ptrdiff_t>(rows.count());
+  for (std::size_t i = 0; i < rows.count(); ++i) {
+    const std::span<double> row = rows.row(i);
+    for (std::ptrdiff_t k = 0; k < std::ssize(row); ++k) {
+      const std::ptrdiff_t column = rows.first[i] + k;
+      if (!knots_.periodic() && column >= count) break;
+      double& value = row[static_cast<std::size_t>(k)];
+      value = std::ldexp(value, exponents[i] + exponents[static_cast<std::size_t>(column % count)]);
+    }
+  }
+  return exponents;
+}
+
 void LeastSquaresFit::solve_free(const BandedRows& rows, std::span<double> right, std::size_t columns) const {
   try {
-    splinecore::solve(knots_, rows, right, columns);
+    if (!slope_) return splinecore::solve(knots_, rows, right, columns);
+    BandedRows balanced = rows;
+    const std::vector<int> exponents = balance(balanced);
+    const auto scale = [&] {
+      for (std::size_t k = 0; k < right.size(); ++k) right[k] = std::ldexp(right[k], exponents[k / columns]);
+    };
+    scale();
+    splinecore::solve(knots_, balanced, right, columns);
+    scale();
   } catch (const InvalidShape&) {
     throw undetermined();
   }

@@ -25,8 +25,9 @@ class LeastSquaresFit {
   /// @param parameters  in order, in the domain; they stay where they are as long as this
   /// @param weights     of the squares, positive ones, or none for 1 each
   /// @param smoothing   times the integral of the squared second derivative is added to the sum of squares
+  /// @param shortest    spans that are shorter bend for nothing
   LeastSquaresFit(KnotVector knots, std::span<const double> parameters, std::span<const double> weights,
-                  double smoothing, const Held& held);
+                  double smoothing, const Held& held, double shortest = 0.0);
 
   /// Improves control points, `columns` numbers each, until rounding is left.
   /// @throws InvalidShape if the values do not determine them.
@@ -51,6 +52,7 @@ class LeastSquaresFit {
   InvalidShape undetermined() const;
   auto rows_of(std::span<const double> values, std::size_t columns) const;
   BandedRows free_rows() const;
+  std::vector<int> balance(BandedRows& rows) const;
   void solve_free(const BandedRows& rows, std::span<double> right, std::size_t columns) const;
   template <class Sums>
   double improve(std::size_t columns, double size, std::span<double> controls, const Sums& residual_sums) const;
@@ -67,7 +69,7 @@ class LeastSquaresFit {
   double weight_scale_ = 1.0;
   double smoothing_;
   Held held_;
-  std::vector<double> bending_;    ///< of one piece over [0, 1]; none without smoothing
+  std::vector<double> bending_;    ///< of one piece over [0, 1], where slope_ has no products; none without smoothing
   std::optional<Bending> slope_;   ///< of knots near 1
   double slope_factor_ = 0.0;      ///< what it is multiplied by
   std::vector<std::size_t> ends_;  ///< of each span the index behind its last parameter

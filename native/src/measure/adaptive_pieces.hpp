@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -63,13 +64,18 @@ class AdaptivePieces {
   FoundIntegrals<kCount> found(const Targets& targets) {
     measure_(pieces_);
     const std::size_t most = kMostPieces + 4 * pieces_.size();
+    Integrals<kCount> before;
+    before.fill(std::numeric_limits<double>::infinity());
     while (true) {
       const IntegralSums<kCount> sums = sum();
       const Integrals<kCount> allowed = targets(sums);
       double excess = 0.0;
       for (std::size_t k = 0; k < kCount; ++k) {
         const double error = sums.error(k);
-        const bool is_wrong = error > std::max(kCaution * allowed[k], 2.0 * sums.rounding(k));
+        // Where halving no longer helps only rounding is left.
+        const bool is_steady = error > 0.5 * before[k] && error <= kNoise * sums.rounding(k);
+        const bool is_wrong = error > std::max(kCaution * allowed[k], 2.0 * sums.rounding(k)) && !is_steady;
+        before[k] = error;
         if (is_wrong) excess = std::max(excess, error / allowed[k]);
       }
       if (excess == 0.0 || pieces_.size() > most || !refine(allowed)) return {sums, excess};
@@ -79,6 +85,7 @@ class AdaptivePieces {
  private:
   /// The changes of a rule are no bound; to be sure they are kept so much smaller.
   static constexpr double kCaution = 0.125;
+  static constexpr double kNoise = 8.0;
   static constexpr std::size_t kMostPieces = 16'000;
 
   void add_piece(SurfacePiece first) {

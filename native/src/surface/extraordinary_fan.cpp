@@ -199,18 +199,45 @@ class Fan {
     return {edge(star_.count()) - edge(0), across};
   }
 
-  /// The points next to the middle, as they were found, are moved into the tangent plane of the surface.
+  /// Whether some way and the one behind it turn against the normal, so that patches between them would lie face down.
+  static bool are_folded(const std::vector<glm::dvec3>& ways, const glm::dvec3& normal) {
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      if (!(glm::dot(glm::cross(ways[k], ways[(k + 1) % ways.size()]), normal) > 0.0)) return true;
+    }
+    return false;
+  }
+
+  /// Those of the surface, but on average as long as others.
+  std::vector<glm::dvec3> limit_ways(const std::vector<glm::dvec3>& others) const {
+    const std::array<glm::dvec3, 2> tangents = tangents_inside();
+    std::vector<glm::dvec3> ways;
+    double own = 0.0;
+    double wanted = 0.0;
+    for (std::size_t k = 0; k < star_.count(); ++k) {
+      const double a = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(star_.count());
+      ways.push_back(std::cos(a) * tangents[0] + std::sin(a) * tangents[1]);
+      own += glm::length(ways.back());
+      wanted += glm::length(others[k]);
+    }
+    for (glm::dvec3& way : ways) way *= wanted / own;
+    return ways;
+  }
+
+  /// The points next to the middle, as they were found, are moved into the tangent plane of the surface; where they are
+  /// folded there, to its own tangents.
   void claim_normal(StarClaims& claims, const std::vector<glm::dvec3>& points) const {
     const glm::dvec3 normal = limit_normal();
     const double size = glm::length(normal);
     constexpr double kRounding = 0x1p-40;
     if (!(size > kRounding)) return;
     const glm::dvec3 middle = limit();
+    std::vector<glm::dvec3> ways;
     for (std::size_t k = 0; k < star_.inner_spokes(); ++k) {
-      const glm::dvec3& found = points[star_.at(k, kDegree, kDegree - 1)];
-      const glm::dvec3 up = glm::dot(found - middle, normal) / size * (normal / size);
-      claims.add(k, kDegree, kDegree - 1, found - up, 0);
+      const glm::dvec3 way = points[star_.at(k, kDegree, kDegree - 1)] - middle;
+      ways.push_back(way - glm::dot(way, normal) / size * (normal / size));
     }
+    if (!star_.is_open && are_folded(ways, normal)) ways = limit_ways(ways);
+    for (std::size_t k = 0; k < ways.size(); ++k) claims.add(k, kDegree, kDegree - 1, middle + ways[k], 0);
   }
 
   /// Where the point converges to.

@@ -25,8 +25,11 @@ constexpr int kDegree = 3;
 constexpr std::size_t kMostRows = 1 << 14;
 /// A little below the tolerance, for what lies between the places that are measured.
 constexpr double kAccepted = 0.85;
-/// Of the whole, below which parameters are the same.
-constexpr double kShortest = 0x1p-36;
+/// Steps of numbers as large as parameters are that are too short to be parted.
+double shortest_in(const Interval& interval) {
+  constexpr double kShortest = 0x1p-46;
+  return kShortest * std::max(std::abs(interval.start), std::abs(interval.end));
+}
 
 double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
   if (a.w == 0.0 || b.w == 0.0) return length_of(glm::dvec3(a) - glm::dvec3(b));
@@ -98,7 +101,7 @@ std::vector<RowStep> parted(RowStep step, int parts) {
 
 /// Pieces between joints.
 RowStep whole_of(const Interval& interval, const std::vector<RowJoint>& joints) {
-  const auto is_same = [&](double a, double b) { return b - a <= kShortest * interval.length(); };
+  const auto is_same = [&](double a, double b) { return b - a <= shortest_in(interval); };
   RowStep step{{{interval.start, interval.end, 1, {}}}};
   for (const RowJoint& joint : joints) {
     RowPiece& last = step.pieces.back();
@@ -140,7 +143,7 @@ class RowStretch {
       const auto is_missed = [&](const RowStep& step) { return !(step.error <= accepted); };
       if (std::ranges::none_of(steps_, is_missed)) return said(std::move(made));
       const bool is_short = std::ranges::any_of(steps_, [&](const RowStep& step) {
-        return is_missed(step) && step.end() - step.start() <= kShortest * interval_.length();
+        return is_missed(step) && step.end() - step.start() <= shortest_in(interval_);
       });
       if ((steps_.size() > kMostRows || is_short) && made.error <= tolerance) return made;
       if (steps_.size() > kMostRows || is_short) {

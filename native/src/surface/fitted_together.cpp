@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "build/fit_options.hpp"
@@ -34,16 +35,83 @@ KnotVector knots_between(const FitTogether& what, int spans) {
   return KnotVector::make(degree, std::move(knots), is_periodic);
 }
 
-Approximation<std::vector<NurbsCurve>> with_spans(int spans, const FitTogether& what, const FitOne& fit) {
-  const KnotVector knots = knots_between(what, spans);
-  Approximation<std::vector<NurbsCurve>> made{{}, 0.0};
-  for (std::size_t i = 0; i < what.count && made.error <= what.tolerance; ++i) {
-    Approximation<NurbsCurve> one = fit(i, knots);
-    made.value.push_back(std::move(one.value));
-    made.error = std::max(made.error, one.error);
+/// Looks for the fewest spans on which one curve after the other comes within the tolerance. Of many curves the few that
+/// need more than all before them are looked for alone.
+class Together {
+ public:
+  Together(const FitTogether& what, const FitOne& fit) : what_(what), fit_(fit) {}
+
+  Approximation<std::vector<NurbsCurve>> found() {
+    std::size_t hardest = 0;
+    for (;;) {
+      enlarge_for(hardest);
+      const std::optional<std::size_t> missed = first_missed(hardest);
+      if (!missed) break;
+      hardest = *missed;
+    }
+    Approximation<std::vector<NurbsCurve>> made{{}, 0.0};
+    for (Approximation<NurbsCurve>& one : made_) {
+      made.error = std::max(made.error, one.error);
+      made.value.push_back(std::move(one.value));
+    }
+    return made;
   }
-  return made;
-}
+
+ private:
+  static constexpr int kMostSpans = 4096;
+
+  Approximation<NurbsCurve> with_spans(std::size_t i, int spans) const { return fit_(i, knots_between(what_, spans)); }
+  bool is_within(const Approximation<NurbsCurve>& one) const { return one.error <= what_.tolerance; }
+
+  /// Until curve i comes within the tolerance: by steps that double, then by halving. At `missed_` spans one curve does not.
+  void enlarge_for(std::size_t i) {
+    const int least = what_.is_periodic ? what_.degree : 1;
+    int high = std::max(missed_ + 1, least);
+    int step = 1;
+    auto best = with_spans(i, high);
+    while (!is_within(best)) {
+      if (high >= kMostSpans) {
+        throw ToleranceNotReached("the curves cannot be had with " + std::to_string(high) + " spans", what_.tolerance, best.error);
+      }
+      step = missed_ == 0 ? high : 2 * step;
+      missed_ = high;
+      high = std::min(kMostSpans, high + step);
+      best = with_spans(i, high);
+    }
+    while (high - missed_ > 1) {
+      const int middle = missed_ + (high - missed_) / 2;
+      if (middle < least) break;
+      auto made = with_spans(i, middle);
+      if (is_within(made)) {
+        high = middle;
+        best = std::move(made);
+      } else {
+        missed_ = middle;
+      }
+    }
+    spans_ = high;
+    made_.assign(what_.count, best);
+  }
+
+  /// Makes all others on as many spans. @returns the first that does not come within the tolerance
+  std::optional<std::size_t> first_missed(std::size_t made) {
+    const KnotVector knots = knots_between(what_, spans_);
+    for (std::size_t i = 0; i < what_.count; ++i) {
+      if (i == made) continue;
+      made_[i] = fit_(i, knots);
+      if (is_within(made_[i])) continue;
+      missed_ = spans_;
+      return i;
+    }
+    return {};
+  }
+
+  const FitTogether& what_;
+  const FitOne& fit_;
+  int missed_ = 0;
+  int spans_ = 0;
+  std::vector<Approximation<NurbsCurve>> made_;
+};
 
 }  // namespace
 
@@ -63,31 +131,8 @@ std::vector<double> corners_of(std::span<const NurbsCurve> curves) {
 }
 
 Approximation<std::vector<NurbsCurve>> fitted_together(const FitTogether& what, const FitOne& fit) {
-  constexpr int kMostSpans = 4096;
   require_tolerance(what.tolerance);
-  int low = 0;
-  int high = what.is_periodic ? what.degree : 1;
-  auto best = with_spans(high, what, fit);
-  while (best.error > what.tolerance) {
-    if (high >= kMostSpans) {
-      throw ToleranceNotReached("the curves cannot be had with " + std::to_string(high) + " spans", what.tolerance, best.error);
-    }
-    low = high;
-    high *= 2;
-    best = with_spans(high, what, fit);
-  }
-  while (high - low > 1) {
-    const int middle = low + (high - low) / 2;
-    if (what.is_periodic && middle < what.degree) break;
-    auto made = with_spans(middle, what, fit);
-    if (made.error <= what.tolerance) {
-      high = middle;
-      best = std::move(made);
-    } else {
-      low = middle;
-    }
-  }
-  return best;
+  return Together(what, fit).found();
 }
 
 }  // namespace splinecore

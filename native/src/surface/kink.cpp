@@ -1,5 +1,6 @@
 #include "kink.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -7,6 +8,7 @@
 #include "base/length.hpp"
 #include "fitted_together.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/measure/curve_frame.hpp"
 
 namespace splinecore {
 
@@ -25,6 +27,30 @@ std::vector<double> corners_above(const NurbsCurve& curve, double angle) {
   std::vector<double> corners = corners_of({&curve, 1});
   std::erase_if(corners, [&](double u) { return kink_angle(curve, u) <= angle; });
   return corners;
+}
+
+std::optional<double> hidden_turn(const NurbsCurve& curve, double angle) {
+  constexpr double kParted = 0x1p-44;
+  const Interval domain = curve.domain();
+  const double step = kParted * std::max(std::abs(domain.start), std::abs(domain.end));
+  for (const Side side : {Side::left, Side::right}) {
+    const bool is_left = side == Side::left;
+    std::vector<double> at;
+    std::vector<double> beside;
+    for (const double knot : curve.knot_vector().knots()) {
+      if (knot < domain.start || knot > domain.end || knot == (is_left ? domain.start : domain.end)) continue;
+      at.push_back(knot);
+      beside.push_back(is_left ? std::max(domain.start, knot - step) : std::min(domain.end, knot + step));
+    }
+    std::vector<MovingFrame> frames(at.size());
+    std::vector<MovingFrame> frames_beside(at.size());
+    frenet_frames(curve, at, frames, side);
+    frenet_frames(curve, beside, frames_beside, is_left ? Side::right : Side::left);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (length_of(frames[i].tangent - frames_beside[i].tangent) > angle) return at[i];
+    }
+  }
+  return {};
 }
 
 }  // namespace splinecore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -15,6 +16,9 @@ double kink_angle(const NurbsCurve& curve, double u);
 
 /// Corners of a curve at which it turns by more than an angle.
 std::vector<double> corners_above(const NurbsCurve& curve, double angle);
+
+/// A knot beside which the curve turns by more than an angle within fewer numbers than a spline can be parted between.
+std::optional<double> hidden_turn(const NurbsCurve& curve, double angle);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include "kept_continuity.hpp"
 #include "least_going_on.hpp"
 #include "meet/near_space.hpp"
+#include "overshoot.hpp"
 #include "patch/lines.hpp"
 #include "ribbon.hpp"
 #include "side_first.hpp"
@@ -241,24 +242,31 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
   MovingRows moved = moved_least(before, edge, out, options.strength, must, may);
   constexpr double kKept = 0.125;  // of the least weight: with less, points are far off, and lose digits
+  constexpr double kMostBeside = 1.5;  // of the way out: with more, rows shoot out beyond all that is beside them
   const double least = kKept * least_weight(before);
-  const auto are_kept = [&](const MovingRows& one) { return least_weight(one) >= least; };
-  if (!(least > 0.0) || are_kept(moved)) return patch_of(moved);
+  const auto are_kept = [&](const MovingRows& one, double at_pace) {
+    if (least_weight(one) < least) return false;
+    return out.empty() || overshoot(one.across, one.rows, scaled(at_pace, out.front()), must) <= kMostBeside;
+  };
+  if (!(least > 0.0) || are_kept(moved, out.empty() ? pace : own_pace(moved, edge, out))) return patch_of(moved);
   moved = moved_onto(before, edge, out, pace, must, may);
-  if (are_kept(moved)) return patch_of(moved);
+  if (are_kept(moved, pace)) return patch_of(moved);
   double low = pace;
-  for (int i = 0; i < kHalvings && !are_kept(moved); ++i) {
+  for (int i = 0; i < kHalvings && !are_kept(moved, low); ++i) {
     pace = low;
     low *= 0.5;
     moved = moved_onto(before, edge, out, low, must, may);
   }
-  if (!are_kept(moved)) {
-    throw InvalidShape("the weights of the patches differ so much that beside the side some would not stay positive");
+  if (!are_kept(moved, low)) {
+    throw InvalidShape(least_weight(moved) < least
+                           ? "the weights of the patches differ so much that beside the side some would not stay positive"
+                           : "beside the side the other patch bends so sharply that rows that go on from it would shoot out: a "
+                             "lower continuity has less of that");
   }
-  for (int i = 0; i < kHalvings; ++i) {  // up to the largest pace with which they are, which changes little where a patch does
+  for (int i = 0; i < kHalvings; ++i) {  // to the largest pace with which they are, which changes little where a patch does
     const double middle = 0.5 * (low + pace);
     MovingRows between = moved_onto(before, edge, out, middle, must, may);
-    const bool is_slow = are_kept(between);
+    const bool is_slow = are_kept(between, middle);
     (is_slow ? low : pace) = middle;
     if (is_slow) moved = std::move(between);
   }

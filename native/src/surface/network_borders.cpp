@@ -163,6 +163,17 @@ EndSlopes slopes_of(const FieldPair& fields) {
   return slopes;
 }
 
+/// Errors of fits along neighbours are angles, which have no unit of length.
+template <class Fit>
+auto along_neighbours(const Fit& fit) {
+  try {
+    return fit();
+  } catch (const ToleranceNotReached& error) {
+    throw InvalidShape("along a neighbour tangent planes turn so sharply that the surface would be off them by " +
+                       text_of(error.error()) + " radians: a smoother edge, or no neighbour there, can be had");
+  }
+}
+
 /// Cubics near the fields of a family, both on the same knots, as derivatives by the other parameter.
 std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const EndSlopes& slopes) {
   std::array<std::optional<NurbsCurve>, 2> made;
@@ -176,7 +187,7 @@ std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const E
   if (which.empty()) return made;
   const FitTogether what{which.size(), kCubic,           borders[0].domain(), borders[0].periodic(),
                          corners_of(borders), kShare * kAngle};
-  const auto curves = fitted_together(what, [&](std::size_t i, const KnotVector& knots) -> Approximation<NurbsCurve> {
+  const auto fit = [&](std::size_t i, const KnotVector& knots) -> Approximation<NurbsCurve> {
     const TangentField& field = *fields[which[i]];
     const auto vectors_at = [&](std::span<const double> at, std::span<glm::dvec3> vectors) {
       std::ranges::copy(field.vectors(at), vectors.begin());
@@ -184,7 +195,8 @@ std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const E
     NurbsCurve curve = knots.periodic() ? project(vectors_at, knots).value : through(field, slopes[which[i]], knots);
     const double error = angle_from(field, curve);
     return {std::move(curve), error};
-  }).value;
+  };
+  const std::vector<NurbsCurve> curves = along_neighbours([&] { return fitted_together(what, fit).value; });
   for (std::size_t i = 0; i < which.size(); ++i) {
     std::vector<glm::dvec4> vectors(curves[i].points().begin(), curves[i].points().end());
     for (glm::dvec4& p : vectors) p = glm::dvec4(which[i] == 1 ? -glm::dvec3(p) : glm::dvec3(p), 1.0);

@@ -34,12 +34,19 @@ namespace splinecore {
 
 namespace {
 
+constexpr double kQuarter = 0.5 * std::numbers::pi;
+constexpr int kMostQuarters = 4096;
+
 void require_options(const SweepOptions& options) {
   if (options.tolerance) require_tolerance(*options.tolerance);
   if (!(options.end_scale > 0.0 && std::isfinite(options.end_scale))) {
     throw InvalidShape("end_scale = " + text_of(options.end_scale) + ": above 0 is expected");
   }
   if (!std::isfinite(options.twist)) throw InvalidShape("twist = " + text_of(options.twist) + " is not finite");
+  if (std::abs(options.twist) > kMostQuarters * kQuarter) {
+    throw InvalidShape("twist = " + text_of(options.twist) + ": at most " + std::to_string(kMostQuarters / 4) +
+                       " turns are expected");
+  }
   if (options.frame == RailFrame::upright && !(is_finite(options.up) && length_of(options.up) > 0.0)) {
     throw InvalidShape("the upright direction is zero or not finite");
   }
@@ -177,11 +184,7 @@ class Sweeping {
   double scale_at(double parameter) const { return scales_.at(parameter) * (scale_ ? scale_->at(parameter) : 1.0); }
 
   /// Parts in which sections do not turn too far to be seen turning.
-  int twist_steps() const {
-    constexpr double kStep = 0.5 * std::numbers::pi;
-    constexpr double kMost = 4096.0;
-    return static_cast<int>(std::min(kMost, std::ceil(std::abs(options_.twist) / kStep)));
-  }
+  int twist_steps() const { return static_cast<int>(std::ceil(std::abs(options_.twist) / kQuarter)); }
 
   /// The planes that halve the corners at both ends of a stretch, by their normals; 0 where there is none.
   struct Mitre {
@@ -338,6 +341,11 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   }
   if (options.frame == RailFrame::parallel) {
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
+  }
+  constexpr double kHalf = 0.5 / kKinkShare;  // of the tolerance
+  if (const auto at = negligible > 0.0 ? hidden_turn(near, kHalf * negligible) : std::nullopt) {
+    throw InvalidShape("the rail turns at " + text_of(*at) +
+                       " within less than parameters can tell apart: remove knots that nearly coincide there, or make a corner of it");
   }
   const double within = tolerance / space.length(1.0);
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) { return sweeping.rows_at(at, stretch); };

@@ -10,6 +10,7 @@ namespace splinecore {
 /// A curve on the same knots, with the same weights, that bends less and stays within the tolerance: the control points
 /// of the polynomial spline with least sum of the mean squared distance and a multiple of the integral of the squared
 /// second derivative, the largest multiple that the tolerance allows (Hoschek and Lasser 1993, §13.2; Reinsch 1967).
+/// Spans below 2⁻¹² of the mean one bend for nothing.
 ///
 /// The ends of an open curve stay, with their tangents if asked for; of one that is not clamped as many control points
 /// as decide its ends.

@@ -41,8 +41,8 @@ struct NetworkSurface {
 ///                    lies on their side; rational curves are then run through as polynomials. The strength is not used
 /// @throws InvalidShape naming the curves that do not meet once, are a point, cross in one place with another one or in another
 ///         order, or are fewer than four closed ones across fewer than four closed ones, or a neighbour beside none of the
-///         outermost curves, or one over which a curve turns back; ToleranceNotReached, also where curves do not leave a
-///         neighbour in its tangent planes.
+///         outermost curves, or one over which a curve turns back, or whose tangent planes turn so sharply along its side that
+///         4096 spans do not follow them; ToleranceNotReached, also where curves do not leave a neighbour in its tangent planes.
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
                        std::optional<double> tolerance = {}, std::span<const LoftNeighbour> neighbours = {},
                        std::optional<double> gap = {});

@@ -37,7 +37,7 @@ struct SweepOptions {
   double end_scale = 1.0;              ///< sections grow evenly by the length of the rail up to this factor
   std::vector<RailNumber> scales;      ///< and by factors between which it goes without overshoot; empty: 1
   std::optional<NurbsCurve> scale;     ///< and by what x of a curve is at the parameters of the rail; none: 1
-  double twist = 0.0;                  ///< and turn about it by so much, in radians
+  double twist = 0.0;                  ///< and turn about it by so much, in radians: 1024 turns at most
   std::optional<double> tolerance;     ///< how far the surface may be from the sweep; none: 2^-20 of the size of the rail
 };
 
@@ -46,12 +46,14 @@ struct SweepOptions {
 ///
 /// Parallel frames and straight rails are exact: a sum of both curves. Otherwise rows of control points are cubic splines
 /// along v, with knots where the tolerance needs them: first those of the rail, double ones where it has no third derivative,
-/// for frames depend on its tangents, and those of the scale, at whose corners rows have some; none nearer to each other than 2^-38 of a stretch. At corners of the rail rows lie in the
-/// plane that halves the corner, so that stretches between are whole if they are straight; others are refused.
+/// for frames depend on its tangents, and those of the scale, at whose corners rows have some; none nearer to each other than
+/// 2^-48 of the larger end of a stretch. At corners of the rail rows lie in the plane that halves the corner, so that stretches
+/// between are whole if they are straight; others are refused.
 /// @returns the surface, and how far rows were found to be from where they should be
 /// @throws InvalidShape if there is no section, their parameters do not increase or lie outside the rail, a frame does not
-///         exist, the rail turns back, or an end scale is not above 0; if the curve of a scale has another domain than the rail,
-///         jumps, has points or weights that are not above 0, or on a closed rail ends with another number than it begins;
+///         exist, the rail turns back, or at a knot so sharply that parameters cannot tell it from a corner although it is none,
+///         an end scale is not above 0, or a twist is more than 1024 turns; if the curve of a scale has another domain than the
+///         rail, jumps, has points or weights that are not above 0, or on a closed rail ends with another number than it begins;
 ///         ToleranceNotReached; as rotation_minimising_frames().
 Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections,
                                 const SweepOptions& options = {});
