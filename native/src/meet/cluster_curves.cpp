@@ -39,7 +39,7 @@ bool do_touch(const Interval& a, const Interval& b) { return a.start <= b.end &&
 class Gathering {
  public:
   Gathering(const TwoCurves& curves, const PairFindings& findings, double tolerance)
-      : curves_(curves), tolerance_(tolerance) {
+      : curves_(curves), tolerance_(tolerance), wide_(kWide * tolerance) {
     nodes_.reserve(findings.stretches.size() + findings.crossings.size());
     for (const CurveStretch& stretch : findings.stretches) nodes_.push_back(node_of(stretch));
     for (const SpotPair& crossing : findings.crossings) nodes_.push_back(node_of(crossing));
@@ -64,7 +64,7 @@ class Gathering {
 
  private:
   Interval widened(const CurvePieces& curve, const Interval& in) const {
-    return {in.start - curve.reach(in.start, -1.0, tolerance_), in.end + curve.reach(in.end, 1.0, tolerance_)};
+    return {in.start - curve.reach(in.start, -1.0, wide_), in.end + curve.reach(in.end, 1.0, wide_)};
   }
 
   Node node_of(const CurveStretch& s) const {
@@ -85,7 +85,7 @@ class Gathering {
     const double area = glm::length(glm::cross(a, b));
     const auto far = [&](double speed) {
       constexpr double kMost = 0.5;
-      return area > 0.0 ? std::min(tolerance_ * speed / area, kMost) : kMost;
+      return area > 0.0 ? std::min(wide_ * speed / area, kMost) : kMost;
     };
     const auto [place_a, place_b] = curves_.places(at);
     const double of_a = far(glm::length(b));
@@ -147,7 +147,7 @@ class Gathering {
     const std::array<double, 2> to{nearest(other_a, one.a), nearest(other_b, one.b)};
     constexpr double kSame = 0x1p-40;
     if (std::max(std::abs(from[0] - to[0]), std::abs(from[1] - to[1])) <= kSame) return true;
-    return are_joined(curves_, from, to, tolerance_);
+    return are_joined(curves_, from, to, wide_);
   }
 
   /// Whether stretches that go the same way have places of the second curve in common, too, where they have those of
@@ -215,7 +215,7 @@ class Gathering {
 
   bool is_overlap(std::size_t cluster) {
     std::optional<bool>& known = are_overlaps_[cluster];
-    if (!known) known = splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+    if (!known) known = overlap_of(made_of(members_[cluster]), curves_, tolerance_).has_value();
     return *known;
   }
 
@@ -235,6 +235,7 @@ class Gathering {
 
   TwoCurves curves_;
   double tolerance_;
+  double wide_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
   std::vector<std::vector<std::size_t>> members_;  ///< of clusters
