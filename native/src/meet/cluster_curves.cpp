@@ -50,9 +50,7 @@ class Gathering {
 
   std::vector<CurveCluster> clusters() {
     link_all();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (nodes_[i].way() != 0) gather(i);
-    }
+    for (const std::size_t i : longest_first()) gather(i);
     for (std::size_t i = 0; i < nodes_.size(); ++i) gather(i);
     merge();
     std::vector<CurveCluster> found;
@@ -63,6 +61,19 @@ class Gathering {
   }
 
  private:
+  /// Stretches with a way: what hangs together with several ways belongs to the longest.
+  std::vector<std::size_t> longest_first() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].way() != 0) order.push_back(i);
+    }
+    sort_by(order, [&](std::size_t i) {
+      const CurveStretch& on = *nodes_[i].stretch;
+      return -glm::distance(curves_.a.at({on.piece_a, on.a.start}).point, curves_.a.at({on.piece_a, on.a.end}).point);
+    });
+    return order;
+  }
+
   Interval widened(const CurvePieces& curve, const Interval& in) const {
     return {in.start - curve.reach(in.start, -1.0, wide_), in.end + curve.reach(in.end, 1.0, wide_)};
   }
@@ -80,18 +91,20 @@ class Gathering {
 
   /// Curves that cross are within the tolerance as far as straight lines are.
   Node node_of(const SpotPair& at) const {
+    breathe(256);
     const glm::dvec3 a = curves_.a.at(at.a).first[0];
     const glm::dvec3 b = curves_.b.at(at.b).first[0];
     const double area = glm::length(glm::cross(a, b));
-    const auto far = [&](double speed) {
+    const double far = wide_ * (glm::length(a) * glm::length(b) / area);
+    const auto widened_by = [&](const CurvePieces& curve, double place) {
       constexpr double kMost = 0.5;
-      return area > 0.0 ? std::min(wide_ * speed / area, kMost) : kMost;
+      if (!(area > 0.0)) return Interval{place - kMost, place + kMost};
+      return Interval{place - std::min(curve.reach(place, -1.0, far), kMost),
+                      place + std::min(curve.reach(place, 1.0, far), kMost)};
     };
     const auto [place_a, place_b] = curves_.places(at);
-    const double of_a = far(glm::length(b));
-    const double of_b = far(glm::length(a));
-    return {nullptr, &at, {place_a, place_a}, {place_b, place_b}, {place_a - of_a, place_a + of_a},
-            {place_b - of_b, place_b + of_b}};
+    return {nullptr, &at, {place_a, place_a}, {place_b, place_b}, widened_by(curves_.a, place_a),
+            widened_by(curves_.b, place_b)};
   }
 
   /// Along the first curve each finding is compared with those that are not yet behind.
@@ -163,7 +176,9 @@ class Gathering {
     const auto margin = [](const Node& node) {
       return std::max(node.b.start - node.wide_b.start, node.wide_b.end - node.b.end);
     };
-    return std::abs(of_one - of_other) <= margin(one) + margin(other);
+    // Where the second curve stands still places far apart are one.
+    return std::abs(of_one - of_other) <= margin(one) + margin(other) ||
+           curves_.b.are_one(curves_.b.spot(of_one), curves_.b.spot(of_other), wide_);
   }
 
   /// The place of the second curve beside one of the first one in a stretch.
