@@ -63,8 +63,8 @@ class CurveCluster {
   bool is_trivial_ = false;
 };
 
-/// Curves are looked at within so many tolerances: what rounding parts at the edge of the tolerance hangs together so, and
-/// what stays farther apart than the tolerance is left out in the end.
+/// Curves are looked at within so many tolerances: what rounding parts at the edge of the tolerance hangs together so.
+/// What stays farther apart than the tolerance is left out in the end.
 inline constexpr double kWide = 1.25;
 
 /// All findings put together, in no order.
