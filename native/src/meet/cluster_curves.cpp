@@ -33,6 +33,12 @@ struct Link {
   Turns turns;
 };
 
+/// A finding in a cluster, and where it is counted there.
+struct Member {
+  std::size_t node;
+  Turns turns;
+};
+
 Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
 bool do_touch(const Interval& a, const Interval& b) { return a.start <= b.end && b.start <= a.end; }
 
@@ -45,6 +51,7 @@ class Gathering {
     for (const SpotPair& crossing : findings.crossings) nodes_.push_back(node_of(crossing));
     links_.resize(nodes_.size());
     cluster_.assign(nodes_.size(), kNone);
+    seen_by_.assign(nodes_.size(), kNone);
     turns_.resize(nodes_.size());
   }
 
@@ -54,7 +61,7 @@ class Gathering {
     for (std::size_t i = 0; i < nodes_.size(); ++i) gather(i);
     merge();
     std::vector<CurveCluster> found;
-    for (const std::vector<std::size_t>& members : members_) {
+    for (const std::vector<Member>& members : members_) {
       if (!members.empty()) found.push_back(made_of(members));
     }
     return found;
@@ -188,27 +195,35 @@ class Gathering {
     return curves_.b.place({on.piece_b, foot_of(curves_.b, on.piece_b, on.b, curves_.a.at({on.piece_a, t}).point)});
   }
 
-  /// A new cluster of a finding and all that hang together with it, and do not go the other way.
+  /// A new cluster of a finding and all that hang together with it, and do not go the other way. Findings without a way,
+  /// as at a cusp, belong to all that they hang together with.
   void gather(std::size_t first) {
     if (cluster_[first] != kNone) return;
     const int way = nodes_[first].way();
     const std::size_t own = members_.size();
-    members_.push_back({first});
+    members_.push_back({{first, {}}});
     cluster_[first] = own;
     turns_[first] = {};
+    seen_by_[first] = own;
     for (std::size_t k = 0; k < members_[own].size(); ++k) {
-      const std::size_t i = members_[own][k];
-      for (const Link& link : links_[i]) {
-        const bool is_against = nodes_[link.to].way() * way < 0;
-        if (cluster_[link.to] != kNone || is_against) continue;
+      const Member from = members_[own][k];
+      if (way != 0 && nodes_[from.node].crossing) continue;
+      for (const Link& link : links_[from.node]) {
+        const int way_there = nodes_[link.to].way();
+        const bool is_free = cluster_[link.to] == kNone || (way != 0 && way_there == 0);
+        if (!is_free || seen_by_[link.to] == own || way_there * way < 0) continue;
+        const Turns turns{from.turns.a + link.turns.a, from.turns.b + link.turns.b};
+        seen_by_[link.to] = own;
+        members_[own].push_back({link.to, turns});
+        if (cluster_[link.to] != kNone) continue;
         cluster_[link.to] = own;
-        turns_[link.to] = {turns_[i].a + link.turns.a, turns_[i].b + link.turns.b};
-        members_[own].push_back(link.to);
+        turns_[link.to] = turns;
       }
     }
   }
 
-  /// Clusters that hang together and go opposite ways are two only where both are overlaps.
+  /// Clusters that hang together and go opposite ways are two only where both are overlaps; what is none is a part of one
+  /// that is.
   void merge() {
     are_overlaps_.assign(members_.size(), {});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -217,16 +232,32 @@ class Gathering {
         const std::size_t from = cluster_[link.to];
         if (into == from || (is_overlap(into) && is_overlap(from))) continue;
         const Turns by{turns_[i].a + link.turns.a - turns_[link.to].a, turns_[i].b + link.turns.b - turns_[link.to].b};
-        for (const std::size_t member : members_[from]) {
-          cluster_[member] = into;
-          turns_[member] = {turns_[member].a + by.a, turns_[member].b + by.b};
-          members_[into].push_back(member);
-        }
-        members_[from].clear();
-        are_overlaps_[into].reset();
+        join(into, from, by);
       }
     }
   }
+
+  void join(std::size_t into, std::size_t from, const Turns& by) {
+    const bool is_against = way_of(into) * way_of(from) < 0;
+    const bool is_part = is_against && (is_overlap(into) || is_overlap(from));
+    std::vector<Member> joined = std::move(members_[from]);
+    members_[from].clear();
+    for (Member& member : joined) {
+      member.turns = {member.turns.a + by.a, member.turns.b + by.b};
+      if (cluster_[member.node] != from) continue;
+      cluster_[member.node] = into;
+      turns_[member.node] = {turns_[member.node].a + by.a, turns_[member.node].b + by.b};
+    }
+    if (is_part && is_overlap(into)) return;
+    if (is_part) {
+      members_[into] = std::move(joined);
+    } else {
+      members_[into].insert(members_[into].end(), joined.begin(), joined.end());
+    }
+    are_overlaps_[into].reset();
+  }
+
+  int way_of(std::size_t cluster) const { return nodes_[members_[cluster].front().node].way(); }
 
   bool is_overlap(std::size_t cluster) {
     std::optional<bool>& known = are_overlaps_[cluster];
@@ -234,15 +265,15 @@ class Gathering {
     return *known;
   }
 
-  CurveCluster made_of(const std::vector<std::size_t>& members) const {
+  CurveCluster made_of(const std::vector<Member>& members) const {
     CurveCluster cluster;
-    for (const std::size_t i : members) {
+    for (const auto& [i, turns] : members) {
       const Node& node = nodes_[i];
       if (node.is_trivial()) cluster.set_trivial();
       if (node.crossing) {
         cluster.add(*node.crossing);
       } else {
-        cluster.add(LaidStretch{*node.stretch, turns_[i], moved(node.a, turns_[i].a), moved(node.b, turns_[i].b)});
+        cluster.add(LaidStretch{*node.stretch, turns, moved(node.a, turns.a), moved(node.b, turns.b)});
       }
     }
     return cluster;
@@ -253,9 +284,10 @@ class Gathering {
   double wide_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
-  std::vector<std::vector<std::size_t>> members_;  ///< of clusters
+  std::vector<std::vector<Member>> members_;       ///< of clusters
   std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
+  std::vector<std::size_t> seen_by_;               ///< the last cluster that a node was looked at for
   std::vector<Turns> turns_;                       ///< of nodes in their clusters
 };
 
