@@ -171,3 +171,19 @@ def test_polylines_that_begin_within_a_fold_have_it_once():
     assert counts(fold.self_intersections()) == (0, 0)
     spike = polyline((1, 0.5), (0, 0), (0, 1), (-1, 0), (0, 0), (1, 0.5))
     assert spike.self_intersections().overlaps == pytest.approx(np.array([[[0, 1], [4, 5]]]), abs=1e-7)
+
+
+def test_folds_far_from_the_origin_lie_on_themselves(inputs):
+    """Control points there are rounded by more than the 1/64 of the tolerance within which curves else are one."""
+    for index in range(inputs(1000)):
+        rng = np.random.default_rng([index, 25])
+        way, places = rng.normal(size=3), rng.uniform(0.1, 0.9, 2)
+        shares = [0, 1, places[0] * 0.5, places[0] * 0.5 + 0.4]
+        knots = np.r_[0, np.arange(4), 3].astype(float)
+        fold = sc.NurbsCurve(1, knots, np.outer(shares, way))
+        found = counts(fold.self_intersections())
+        assert found[1] >= 2
+        for _ in range(2):
+            far = motion(rng)
+            far[:3, 3] *= 10 ** rng.uniform(1, 3)
+            assert counts(fold.transformed(far).self_intersections()) == found, index

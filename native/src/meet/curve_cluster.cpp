@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "near_space.hpp"
 #include "zero_between.hpp"
 
 namespace splinecore {
@@ -166,7 +167,7 @@ SpotPair CurveCluster::nearest(const TwoCurves& curves) const {
 /// one of the curves is one though it is not so near, as where weights leave but few digits.
 std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
   // Curves that only touch are nearly a tolerance apart along most of a cluster.
-  constexpr double kOne = 0x1p-6;
+  const double one = distance_of_one(tolerance, curves.rounding);
   constexpr double kMuch = 0.25;
   if (!cluster.has_stretches()) return {};
   const Interval along = within(cluster, curves, tolerance);
@@ -184,7 +185,7 @@ std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves&
     const SpotPair at = cluster.at(curves, places[i]);
     const glm::dvec3 point = curves.a.at(at.a).point;
     const double distance = curves.distance(at);
-    const bool is_near = distance <= kOne * tolerance;
+    const bool is_near = distance <= one;
     least = std::min(least, distance);
     most = std::max(most, distance);
     const double step = i > 0 ? glm::distance(point, before) : 0.0;

@@ -238,7 +238,7 @@ class PierceOutcome {
   /// Most of the length of the curve there, whatever its pace: looked at in each of some stretches, too.
   bool is_overlap(const Cluster& cluster, const Interval& along) const {
     // Curves that only touch are nearly a tolerance apart along most of a cluster.
-    constexpr double kOne = 0x1p-6;
+    const double one = distance_of_one(tolerance_, space_.rounding());
     constexpr std::size_t kMost = 64;
     const auto uniform = places_of(along);
     std::vector<double> places(uniform.begin(), uniform.end());
@@ -255,7 +255,7 @@ class PierceOutcome {
       const PierceSpot at = beside(cluster, places[i]).at;
       const glm::dvec3 point = curve_.at(at.curve).point;
       const double chord = i > 0 ? glm::distance(point, before) : 0.0;
-      const bool is_near = shapes().distance(at) <= kOne * tolerance_;
+      const bool is_near = shapes().distance(at) <= one;
       length += chord;
       if (is_near && was_near) near += chord;
       was_near = is_near;

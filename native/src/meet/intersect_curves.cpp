@@ -59,7 +59,7 @@ class IntersectionSearch {
   };
 
   const CurvePieces& b() const { return b_ ? *b_ : a_; }
-  TwoCurves curves() const { return {a_, b()}; }
+  TwoCurves curves() const { return {a_, b(), space_.rounding()}; }
 
   /// Of places that are one, along the first curve next to each other, the one that curves touch at, or are nearest.
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
