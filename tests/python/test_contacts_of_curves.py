@@ -1,4 +1,4 @@
-"""Curves that touch to any order, stand still, or lie on themselves over their end: one finding each, however it is said."""
+"""Curves that touch to any order, stand still, or lie on themselves over their end: one finding each, however said."""
 
 import numpy as np
 import pytest
@@ -131,7 +131,7 @@ def test_curves_that_stand_still_meet_themselves_the_same_however_said(inputs):
 
 
 def closed_with_a_leg_twice(rng, back):
-    """A closed polyline over one leg twice, the other way if `back`, that begins within the leg; and where each time is."""
+    """A closed polyline over one leg twice, the other way if `back`, that begins within the leg; and where both are."""
     leg = rng.uniform(-1, 1, (2, 3))
     others = [rng.uniform(-1, 1, (int(rng.integers(2, 4)), 3)) for _ in range(2)]
     start = leg[0] + rng.uniform(0.1, 0.9) * (leg[1] - leg[0])
@@ -161,7 +161,8 @@ def test_a_closed_curve_of_several_turns_lies_on_itself_once_for_each_pair_of_tu
         assert not found.reversed.any() and not len(found.parameters)
         shifts = np.diff(found.overlaps[:, :, 0], axis=1).ravel() % (turns * spans)
         lengths = np.diff(found.overlaps, axis=2)[:, :, 0]
-        assert sorted(np.minimum(shifts, turns * spans - shifts).round(6)) == [spans * k for k in range(1, turns // 2 + 1)]
+        nearest = sorted(np.minimum(shifts, turns * spans - shifts).round(6))
+        assert nearest == [spans * k for k in range(1, turns // 2 + 1)]
         whole = np.where(np.isclose(2 * shifts, turns * spans), 0.5, 1.0) * turns * spans
         assert lengths == pytest.approx(np.c_[whole, whole], abs=1e-6)
 

@@ -34,7 +34,7 @@ struct Link {
 };
 
 /// A finding in a cluster, and where it is counted there.
-struct Member {
+struct LaidFinding {
   std::size_t node;
   Turns turns;
 };
@@ -61,7 +61,7 @@ class Gathering {
     for (std::size_t i = 0; i < nodes_.size(); ++i) gather(i);
     merge();
     std::vector<CurveCluster> found;
-    for (const std::vector<Member>& members : members_) {
+    for (const std::vector<LaidFinding>& members : members_) {
       if (!members.empty()) found.push_back(made_of(members));
     }
     return found;
@@ -195,8 +195,8 @@ class Gathering {
     return curves_.b.place({on.piece_b, foot_of(curves_.b, on.piece_b, on.b, curves_.a.at({on.piece_a, t}).point)});
   }
 
-  /// A new cluster of a finding and all that hang together with it, and do not go the other way. Findings without a way,
-  /// as at a cusp, belong to all that they hang together with.
+  /// A new cluster of a finding and all that hang together with it, and do not go the other way. Findings without a
+  /// way, as at a cusp, belong to all that they hang together with.
   void gather(std::size_t first) {
     if (cluster_[first] != kNone) return;
     const int way = nodes_[first].way();
@@ -206,7 +206,7 @@ class Gathering {
     turns_[first] = {};
     seen_by_[first] = own;
     for (std::size_t k = 0; k < members_[own].size(); ++k) {
-      const Member from = members_[own][k];
+      const LaidFinding from = members_[own][k];
       if (way != 0 && nodes_[from.node].crossing) continue;
       for (const Link& link : links_[from.node]) {
         const int way_there = nodes_[link.to].way();
@@ -222,8 +222,8 @@ class Gathering {
     }
   }
 
-  /// Clusters that hang together and go opposite ways are two only where both are overlaps; what is none is a part of one
-  /// that is.
+  /// Clusters that hang together and go opposite ways are two only where both are overlaps; what is none is a part of
+  /// one that is.
   void merge() {
     are_overlaps_.assign(members_.size(), {});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -240,9 +240,9 @@ class Gathering {
   void join(std::size_t into, std::size_t from, const Turns& by) {
     const bool is_against = way_of(into) * way_of(from) < 0;
     const bool is_part = is_against && (is_overlap(into) || is_overlap(from));
-    std::vector<Member> joined = std::move(members_[from]);
+    std::vector<LaidFinding> joined = std::move(members_[from]);
     members_[from].clear();
-    for (Member& member : joined) {
+    for (LaidFinding& member : joined) {
       member.turns = {member.turns.a + by.a, member.turns.b + by.b};
       if (cluster_[member.node] != from) continue;
       cluster_[member.node] = into;
@@ -265,7 +265,7 @@ class Gathering {
     return *known;
   }
 
-  CurveCluster made_of(const std::vector<Member>& members) const {
+  CurveCluster made_of(const std::vector<LaidFinding>& members) const {
     CurveCluster cluster;
     for (const auto& [i, turns] : members) {
       const Node& node = nodes_[i];
@@ -284,7 +284,7 @@ class Gathering {
   double wide_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
-  std::vector<std::vector<Member>> members_;       ///< of clusters
+  std::vector<std::vector<LaidFinding>> members_;       ///< of clusters
   std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
   std::vector<std::size_t> seen_by_;               ///< the last cluster that a node was looked at for

@@ -202,8 +202,8 @@ bool turns_back(const CurvePieces& curve, double low, double high, double distan
 
 namespace {
 
-/// Whether a part of a piece goes away from a point at an end of it, or stands beside it. Where the curve stands still, but
-/// for rounding, the way is that a little inside.
+/// Whether a part of a piece goes away from a point at an end of it, or stands beside it. Where the curve stands still,
+/// but for rounding, the way is that a little inside.
 bool goes_away_at_end(const CurvePieces& curve, std::size_t piece, const Interval& range, bool is_end,
                       const glm::dvec3& point) {
   constexpr double kStill = 0x1p-44;

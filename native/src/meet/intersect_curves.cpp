@@ -189,7 +189,9 @@ class IntersectionSearch {
 
   std::optional<LaidOverlap> joined(const LaidOverlap& before, const LaidOverlap& after) const {
     if (before.is_reversed != after.is_reversed) return {};
-    const auto are_one_place = [&](double p, double q) { return a_.are_one(a_.spot(p), a_.spot(q), kWide * tolerance_); };
+    const auto are_one_place = [&](double p, double q) {
+      return a_.are_one(a_.spot(p), a_.spot(q), kWide * tolerance_);
+    };
     for (const LaidOverlap& x : {before, before.swapped()}) {
       for (const LaidOverlap& y : {after, after.swapped()}) {
         if (!are_one_place(x.a.end, 0.0) || !are_one_place(y.a.start, 0.0)) continue;

@@ -54,9 +54,9 @@ struct PatchIntersections {
 /// where a curve runs through infinity, meets nothing.
 ///
 /// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
-/// (k + 1)th root: that is one place, which touches, anywhere in the middle of that stretch that rounding leaves. It is an
-/// overlap where they are much nearer, within 1/64 of the tolerance, along three quarters of it, or where it is a quarter
-/// of one of both curves.
+/// (k + 1)th root: that is one place, which touches, anywhere in the middle of that stretch that rounding leaves. It is
+/// an overlap where they are much nearer, within 1/64 of the tolerance, along three quarters of it, or where it is a
+/// quarter of one of both curves.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
