@@ -33,38 +33,56 @@ struct Link {
   Turns turns;
 };
 
+/// A finding in a cluster, and where it is counted there.
+struct LaidFinding {
+  std::size_t node;
+  Turns turns;
+};
+
 Interval moved(const Interval& in, double by) { return {in.start + by, in.end + by}; }
 bool do_touch(const Interval& a, const Interval& b) { return a.start <= b.end && b.start <= a.end; }
 
 class Gathering {
  public:
   Gathering(const TwoCurves& curves, const PairFindings& findings, double tolerance)
-      : curves_(curves), tolerance_(tolerance) {
+      : curves_(curves), tolerance_(tolerance), wide_(kWide * tolerance) {
     nodes_.reserve(findings.stretches.size() + findings.crossings.size());
     for (const CurveStretch& stretch : findings.stretches) nodes_.push_back(node_of(stretch));
     for (const SpotPair& crossing : findings.crossings) nodes_.push_back(node_of(crossing));
     links_.resize(nodes_.size());
     cluster_.assign(nodes_.size(), kNone);
+    seen_by_.assign(nodes_.size(), kNone);
     turns_.resize(nodes_.size());
   }
 
   std::vector<CurveCluster> clusters() {
     link_all();
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (nodes_[i].way() != 0) gather(i);
-    }
+    for (const std::size_t i : longest_first()) gather(i);
     for (std::size_t i = 0; i < nodes_.size(); ++i) gather(i);
     merge();
     std::vector<CurveCluster> found;
-    for (const std::vector<std::size_t>& members : members_) {
+    for (const std::vector<LaidFinding>& members : members_) {
       if (!members.empty()) found.push_back(made_of(members));
     }
     return found;
   }
 
  private:
+  /// Stretches with a way: what hangs together with several ways belongs to the longest.
+  std::vector<std::size_t> longest_first() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].way() != 0) order.push_back(i);
+    }
+    sort_by(order, [&](std::size_t i) {
+      const CurveStretch& on = *nodes_[i].stretch;
+      return -glm::distance(curves_.a.at({on.piece_a, on.a.start}).point, curves_.a.at({on.piece_a, on.a.end}).point);
+    });
+    return order;
+  }
+
   Interval widened(const CurvePieces& curve, const Interval& in) const {
-    return {in.start - curve.reach(in.start, -1.0, tolerance_), in.end + curve.reach(in.end, 1.0, tolerance_)};
+    return {in.start - curve.reach(in.start, -1.0, wide_), in.end + curve.reach(in.end, 1.0, wide_)};
   }
 
   Node node_of(const CurveStretch& s) const {
@@ -80,18 +98,20 @@ class Gathering {
 
   /// Curves that cross are within the tolerance as far as straight lines are.
   Node node_of(const SpotPair& at) const {
+    breathe(256);
     const glm::dvec3 a = curves_.a.at(at.a).first[0];
     const glm::dvec3 b = curves_.b.at(at.b).first[0];
     const double area = glm::length(glm::cross(a, b));
-    const auto far = [&](double speed) {
+    const double far = wide_ * (glm::length(a) * glm::length(b) / area);
+    const auto widened_by = [&](const CurvePieces& curve, double place) {
       constexpr double kMost = 0.5;
-      return area > 0.0 ? std::min(tolerance_ * speed / area, kMost) : kMost;
+      if (!(area > 0.0)) return Interval{place - kMost, place + kMost};
+      return Interval{place - std::min(curve.reach(place, -1.0, far), kMost),
+                      place + std::min(curve.reach(place, 1.0, far), kMost)};
     };
     const auto [place_a, place_b] = curves_.places(at);
-    const double of_a = far(glm::length(b));
-    const double of_b = far(glm::length(a));
-    return {nullptr, &at, {place_a, place_a}, {place_b, place_b}, {place_a - of_a, place_a + of_a},
-            {place_b - of_b, place_b + of_b}};
+    return {nullptr, &at, {place_a, place_a}, {place_b, place_b}, widened_by(curves_.a, place_a),
+            widened_by(curves_.b, place_b)};
   }
 
   /// Along the first curve each finding is compared with those that are not yet behind.
@@ -147,7 +167,7 @@ class Gathering {
     const std::array<double, 2> to{nearest(other_a, one.a), nearest(other_b, one.b)};
     constexpr double kSame = 0x1p-40;
     if (std::max(std::abs(from[0] - to[0]), std::abs(from[1] - to[1])) <= kSame) return true;
-    return are_joined(curves_, from, to, tolerance_);
+    return are_joined(curves_, from, to, wide_);
   }
 
   /// Whether stretches that go the same way have places of the second curve in common, too, where they have those of
@@ -163,7 +183,9 @@ class Gathering {
     const auto margin = [](const Node& node) {
       return std::max(node.b.start - node.wide_b.start, node.wide_b.end - node.b.end);
     };
-    return std::abs(of_one - of_other) <= margin(one) + margin(other);
+    // Where the second curve stands still places far apart are one.
+    return std::abs(of_one - of_other) <= margin(one) + margin(other) ||
+           curves_.b.are_one(curves_.b.spot(of_one), curves_.b.spot(of_other), wide_);
   }
 
   /// The place of the second curve beside one of the first one in a stretch.
@@ -173,27 +195,35 @@ class Gathering {
     return curves_.b.place({on.piece_b, foot_of(curves_.b, on.piece_b, on.b, curves_.a.at({on.piece_a, t}).point)});
   }
 
-  /// A new cluster of a finding and all that hang together with it, and do not go the other way.
+  /// A new cluster of a finding and all that hang together with it, and do not go the other way. Findings without a
+  /// way, as at a cusp, belong to all that they hang together with.
   void gather(std::size_t first) {
     if (cluster_[first] != kNone) return;
     const int way = nodes_[first].way();
     const std::size_t own = members_.size();
-    members_.push_back({first});
+    members_.push_back({{first, {}}});
     cluster_[first] = own;
     turns_[first] = {};
+    seen_by_[first] = own;
     for (std::size_t k = 0; k < members_[own].size(); ++k) {
-      const std::size_t i = members_[own][k];
-      for (const Link& link : links_[i]) {
-        const bool is_against = nodes_[link.to].way() * way < 0;
-        if (cluster_[link.to] != kNone || is_against) continue;
+      const LaidFinding from = members_[own][k];
+      if (way != 0 && nodes_[from.node].crossing) continue;
+      for (const Link& link : links_[from.node]) {
+        const int way_there = nodes_[link.to].way();
+        const bool is_free = cluster_[link.to] == kNone || (way != 0 && way_there == 0);
+        if (!is_free || seen_by_[link.to] == own || way_there * way < 0) continue;
+        const Turns turns{from.turns.a + link.turns.a, from.turns.b + link.turns.b};
+        seen_by_[link.to] = own;
+        members_[own].push_back({link.to, turns});
+        if (cluster_[link.to] != kNone) continue;
         cluster_[link.to] = own;
-        turns_[link.to] = {turns_[i].a + link.turns.a, turns_[i].b + link.turns.b};
-        members_[own].push_back(link.to);
+        turns_[link.to] = turns;
       }
     }
   }
 
-  /// Clusters that hang together and go opposite ways are two only where both are overlaps.
+  /// Clusters that hang together and go opposite ways are two only where both are overlaps; what is none is a part of
+  /// one that is.
   void merge() {
     are_overlaps_.assign(members_.size(), {});
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -202,32 +232,48 @@ class Gathering {
         const std::size_t from = cluster_[link.to];
         if (into == from || (is_overlap(into) && is_overlap(from))) continue;
         const Turns by{turns_[i].a + link.turns.a - turns_[link.to].a, turns_[i].b + link.turns.b - turns_[link.to].b};
-        for (const std::size_t member : members_[from]) {
-          cluster_[member] = into;
-          turns_[member] = {turns_[member].a + by.a, turns_[member].b + by.b};
-          members_[into].push_back(member);
-        }
-        members_[from].clear();
-        are_overlaps_[into].reset();
+        join(into, from, by);
       }
     }
   }
 
+  void join(std::size_t into, std::size_t from, const Turns& by) {
+    const bool is_against = way_of(into) * way_of(from) < 0;
+    const bool is_part = is_against && (is_overlap(into) || is_overlap(from));
+    std::vector<LaidFinding> joined = std::move(members_[from]);
+    members_[from].clear();
+    for (LaidFinding& member : joined) {
+      member.turns = {member.turns.a + by.a, member.turns.b + by.b};
+      if (cluster_[member.node] != from) continue;
+      cluster_[member.node] = into;
+      turns_[member.node] = {turns_[member.node].a + by.a, turns_[member.node].b + by.b};
+    }
+    if (is_part && is_overlap(into)) return;
+    if (is_part) {
+      members_[into] = std::move(joined);
+    } else {
+      members_[into].insert(members_[into].end(), joined.begin(), joined.end());
+    }
+    are_overlaps_[into].reset();
+  }
+
+  int way_of(std::size_t cluster) const { return nodes_[members_[cluster].front().node].way(); }
+
   bool is_overlap(std::size_t cluster) {
     std::optional<bool>& known = are_overlaps_[cluster];
-    if (!known) known = splinecore::is_overlap(made_of(members_[cluster]), curves_, tolerance_);
+    if (!known) known = overlap_of(made_of(members_[cluster]), curves_, tolerance_).has_value();
     return *known;
   }
 
-  CurveCluster made_of(const std::vector<std::size_t>& members) const {
+  CurveCluster made_of(const std::vector<LaidFinding>& members) const {
     CurveCluster cluster;
-    for (const std::size_t i : members) {
+    for (const auto& [i, turns] : members) {
       const Node& node = nodes_[i];
       if (node.is_trivial()) cluster.set_trivial();
       if (node.crossing) {
         cluster.add(*node.crossing);
       } else {
-        cluster.add(LaidStretch{*node.stretch, turns_[i], moved(node.a, turns_[i].a), moved(node.b, turns_[i].b)});
+        cluster.add(LaidStretch{*node.stretch, turns, moved(node.a, turns.a), moved(node.b, turns.b)});
       }
     }
     return cluster;
@@ -235,11 +281,13 @@ class Gathering {
 
   TwoCurves curves_;
   double tolerance_;
+  double wide_;
   std::vector<Node> nodes_;
   std::vector<std::vector<Link>> links_;
-  std::vector<std::vector<std::size_t>> members_;  ///< of clusters
+  std::vector<std::vector<LaidFinding>> members_;       ///< of clusters
   std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
+  std::vector<std::size_t> seen_by_;               ///< the last cluster that a node was looked at for
   std::vector<Turns> turns_;                       ///< of nodes in their clusters
 };
 

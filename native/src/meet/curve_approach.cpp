@@ -200,26 +200,41 @@ bool turns_back(const CurvePieces& curve, double low, double high, double distan
   return are_joined(twice, {low, high}, {in.middle(), in.middle()}, distance);
 }
 
+namespace {
+
+/// Whether a part of a piece goes away from a point at an end of it, or stands beside it. Where the curve stands still,
+/// but for rounding, the way is that a little inside.
+bool goes_away_at_end(const CurvePieces& curve, std::size_t piece, const Interval& range, bool is_end,
+                      const glm::dvec3& point) {
+  constexpr double kStill = 0x1p-44;
+  constexpr double kInside = 0x1p-20;
+  constexpr double kMostInside = 0x1p-3;
+  const double from = is_end ? range.end : range.start;
+  const double inwards = is_end ? -range.length() : range.length();
+  Slopes<1> s = curve.at({piece, from}, point);
+  for (double share = kInside; share < kMostInside; share *= 4.0) {
+    if (glm::length(s.first[0]) * range.length() > kStill) break;
+    s = curve.at({piece, from + share * inwards}, point);
+  }
+  const double slope = glm::dot(s.offset, s.first[0]);
+  return is_end ? slope <= 0.0 : slope >= 0.0;
+}
+
+}  // namespace
+
 double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
   constexpr int kMost = 100;
   double low = range.start;
   double high = range.end;
-  const auto slope_at = [&](double t) {
-    const Slopes<1> s = curve.at({piece, t}, point);
-    const double slope = glm::dot(s.offset, s.first[0]);
-    return std::pair(slope, glm::dot(s.first[0], s.first[0]) + glm::dot(s.offset, s.second[0]));
-  };
-  // At an end where the curve stands still it is asked a little inside.
-  const double inside = 0x1p-16 * range.length();
-  const auto stands = [&](double t) { return !(glm::length(curve.at({piece, t}).first[0]) > 0.0); };
-  if (slope_at(stands(low) ? low + inside : low).first >= 0.0) return low;
-  if (slope_at(stands(high) ? high - inside : high).first <= 0.0) return high;
+  if (goes_away_at_end(curve, piece, range, false, point)) return low;
+  if (goes_away_at_end(curve, piece, range, true, point)) return high;
   double t = 0.5 * (low + high);
   for (int round = 0; round < kMost; ++round) {
     breathe(32);
-    const auto [slope, curving] = slope_at(t);
+    const Slopes<1> s = curve.at({piece, t}, point);
+    const double slope = glm::dot(s.offset, s.first[0]);
     (slope < 0.0 ? low : high) = t;
-    double next = t - slope / curving;
+    double next = t - slope / (glm::dot(s.first[0], s.first[0]) + glm::dot(s.offset, s.second[0]));
     if (!(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - t) <= 0x1p-52 || high - low <= 0x1p-52) return next;
     t = next;

@@ -20,6 +20,7 @@ struct SpotPair {
 struct TwoCurves {
   const CurvePieces& a;
   const CurvePieces& b;
+  double rounding = 0.0;  ///< how much of a coordinate may be rounding of those given
 
   std::array<double, 2> places(const SpotPair& at) const noexcept { return {a.place(at.a), b.place(at.b)}; }
   double distance(const SpotPair& at) const noexcept { return glm::length(b.at(at.b, a.at(at.a).point).offset); }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "near_space.hpp"
 #include "zero_between.hpp"
 
 namespace splinecore {
@@ -15,7 +16,7 @@ constexpr std::size_t kCount = 33;
 
 /// How curves lie at a pair of places.
 struct Crossing {
-  glm::dvec3 gap;
+  glm::dvec3 gap;     ///< across the first one
   glm::dvec3 normal;  ///< of both tangents, as long as the sine of their angle
   glm::dvec3 bend;    ///< the difference of their curvature vectors
 };
@@ -33,16 +34,36 @@ Crossing crossing_at(const TwoCurves& curves, const SpotPair& at) {
     const double length = glm::length(v);
     return length > 0.0 ? v / length : v;
   };
-  return {b.offset, glm::cross(unit(a.first[0]), unit(b.first[0])),
+  const glm::dvec3 along = unit(a.first[0]);
+  return {b.offset - glm::dot(b.offset, along) * along, glm::cross(along, unit(b.first[0])),
           curvature_vector(b.first[0], b.second[0]) - curvature_vector(a.first[0], a.second[0])};
 }
 
-std::array<double, kCount> places_of(const CurveCluster& cluster) {
+std::array<double, kCount> places_of(const Interval& along) {
   std::array<double, kCount> places;
   for (std::size_t i = 0; i < kCount; ++i) {
-    places[i] = cluster.a().start + cluster.a().length() * static_cast<double>(i) / (kCount - 1);
+    places[i] = std::lerp(along.start, along.end, static_cast<double>(i) / (kCount - 1));
   }
   return places;
+}
+
+/// Of the first curve's places those from the first to the last one within the tolerance; all where none is seen to be.
+Interval within(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
+  Interval along = cluster.a();
+  if (cluster.is_round(curves)) return along;
+  const auto places = places_of(along);
+  const auto is_near = [&](double place) { return curves.distance(cluster.at(curves, place)) <= tolerance; };
+  const auto first = std::ranges::find_if(places, is_near);
+  if (first == places.end()) return along;
+  const auto last = std::ranges::find_if(places.rbegin(), places.rend(), is_near);
+  const auto edge = [&](double near, double far) {
+    constexpr int kHalvings = 52;
+    for (int i = 0; i < kHalvings; ++i) (is_near(0.5 * (near + far)) ? near : far) = 0.5 * (near + far);
+    return near;
+  };
+  if (first != places.begin()) along.start = edge(*first, *std::prev(first));
+  if (last != places.rbegin()) along.end = edge(*last, *std::prev(last));
+  return along;
 }
 
 /// The place that curves touch or cross at of those of a cluster.
@@ -88,88 +109,119 @@ void CurveCluster::add(const LaidStretch& laid) {
   stretches_.push_back(laid);
 }
 
-void CurveCluster::add_ends(std::vector<double>& places) const {
+void CurveCluster::add_ends(std::vector<double>& places, const Interval& in) const {
   constexpr std::size_t kMost = 64;
   const std::size_t step = stretches_.size() / kMost + 1;
   for (std::size_t i = 0; i < stretches_.size(); i += step) {
-    places.push_back(stretches_[i].a.start);
-    places.push_back(stretches_[i].a.end);
+    places.push_back(std::clamp(stretches_[i].a.start, in.start, in.end));
+    places.push_back(std::clamp(stretches_[i].a.end, in.start, in.end));
   }
 }
 
 SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   // What goes round a closed curve begins anywhere.
-  const bool is_round = curves.a.is_closed() && a_.length() >= curves.a.turn();
-  const double turn = is_round ? curves.a.turn() : 0.0;
-  const LaidStretch* nearest = nullptr;
-  double t = 0.0;
+  const double turn = is_round(curves) ? curves.a.turn() : 0.0;
+  const auto beyond = [&](const LaidStretch& laid, double at) {
+    return std::max({laid.a.start - at, at - laid.a.end, 0.0});
+  };
   double least = std::numeric_limits<double>::infinity();
   for (const double further : {0.0, turn, -turn}) {
-    for (const LaidStretch& laid : stretches_) {
-      const double distance = std::max({laid.a.start - place - further, place + further - laid.a.end, 0.0});
-      if (!(distance < least)) continue;
-      least = distance;
-      nearest = &laid;
-      t = place + further - laid.turns.a - curves.a.place({laid.stretch.piece_a, 0.0});
-    }
-    if (!is_round || least == 0.0) break;
+    for (const LaidStretch& laid : stretches_) least = std::min(least, beyond(laid, place + further));
   }
-  const CurveStretch& on = nearest->stretch;
-  const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};
-  return {spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
+  std::optional<SpotPair> nearest;
+  double distance = 0.0;
+  const auto look = [&](const LaidStretch& laid, double at) {
+    const CurveStretch& on = laid.stretch;
+    const double t = at - laid.turns.a - curves.a.place({on.piece_a, 0.0});
+    const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};
+    const SpotPair pair{spot, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, curves.a.at(spot).point)}};
+    const double own = curves.distance(pair);
+    if (nearest && !(own < distance)) return;
+    nearest = pair;
+    distance = own;
+  };
+  for (const double further : {0.0, turn, -turn}) {
+    for (const LaidStretch& laid : stretches_) {
+      if (beyond(laid, place + further) <= least) look(laid, place + further);
+    }
+    if (turn == 0.0) break;
+  }
+  return *nearest;
+}
+
+SpotPair CurveCluster::nearest(const TwoCurves& curves) const {
+  std::optional<SpotPair> best;
+  for (const LaidStretch& laid : stretches_) {
+    const CurveStretch& on = laid.stretch;
+    for (const double t : {on.a.start, on.a.middle(), on.a.end}) {
+      const glm::dvec3 point = curves.a.at({on.piece_a, t}).point;
+      SpotPair at{{on.piece_a, t}, {on.piece_b, foot_of(curves.b, on.piece_b, on.b, point)}};
+      at = nearest_pair(curves, at, on.a, on.b).value_or(at);
+      if (!best || curves.distance(at) < curves.distance(*best)) best = at;
+    }
+  }
+  return *best;
 }
 
 /// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too. What is much of
 /// one of the curves is one though it is not so near, as where weights leave but few digits.
-bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
+std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
   // Curves that only touch are nearly a tolerance apart along most of a cluster.
-  constexpr double kOne = 0x1p-6;
+  const double one = distance_of_one(tolerance, curves.rounding);
   constexpr double kMuch = 0.25;
-  if (!cluster.has_stretches()) return false;
-  const auto uniform = places_of(cluster);
+  if (!cluster.has_stretches()) return {};
+  const Interval along = within(cluster, curves, tolerance);
+  const auto uniform = places_of(along);
   std::vector<double> places(uniform.begin(), uniform.end());
-  cluster.add_ends(places);
+  cluster.add_ends(places, along);
   std::ranges::sort(places);
   double near = 0.0;
   double length = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
   glm::dvec3 before(0.0);
   bool was_near = false;
-  bool is_within = true;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const SpotPair at = cluster.at(curves, places[i]);
     const glm::dvec3 point = curves.a.at(at.a).point;
     const double distance = curves.distance(at);
-    const bool is_near = distance <= kOne * tolerance;
-    is_within = is_within && distance <= tolerance;
+    const bool is_near = distance <= one;
+    least = std::min(least, distance);
+    most = std::max(most, distance);
     const double step = i > 0 ? glm::distance(point, before) : 0.0;
     length += step;
     if (is_near && was_near) near += step;
     was_near = is_near;
     before = point;
   }
+  const bool is_within = least <= tolerance && most <= kWide * tolerance;
   const bool is_much = is_within && length >= kMuch * std::min(curves.a.length(), curves.b.length());
-  return length > 8.0 * tolerance && (4.0 * near >= 3.0 * length || is_much);
+  const bool is_one = length > 8.0 * tolerance && (4.0 * near >= 3.0 * length || is_much);
+  return is_one ? std::optional(along) : std::nullopt;
 }
 
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
-  if (is_overlap(cluster, curves, tolerance)) return {true, {}, true};
+  if (const auto overlap = overlap_of(cluster, curves, tolerance)) return {overlap};
   if (cluster.has_stretches()) {
-    const auto places = places_of(cluster);
+    const auto places = places_of(cluster.a());
     const auto distance_at = [&](double place) { return curves.distance(cluster.at(curves, place)); };
     const auto best = static_cast<std::size_t>(std::ranges::min_element(places, {}, distance_at) - places.begin());
     const Meeting meeting = meeting_of(cluster, curves, places, best);
     for (const SpotPair& at : {cluster.at(curves, meeting.place), cluster.at(curves, places[best])}) {
-      if (curves.distance(at) <= tolerance) return {false, at, meeting.touches};
+      if (curves.distance(at) <= tolerance) return {{}, at, meeting.touches};
     }
     const SpotPair lowest = settled(curves, cluster.at(curves, places[best]));
     const SpotPair from = cluster.at(curves, places[best]);
     if (curves.distance(lowest) <= tolerance && curves.a.are_one(from.a, lowest.a, 4.0 * tolerance)) {
-      return {false, lowest, meeting.touches};
+      return {{}, lowest, meeting.touches};
     }
+    const SpotPair nearest = cluster.nearest(curves);
+    if (curves.distance(nearest) <= tolerance) return {{}, nearest, meeting.touches};
   }
-  if (cluster.crossings().empty()) return {false, {}, false};
+  if (cluster.crossings().empty()) return {};
   const auto distance = [&](const SpotPair& at) { return curves.distance(at); };
-  return {false, *std::ranges::min_element(cluster.crossings(), {}, distance), false};
+  const SpotPair nearest = *std::ranges::min_element(cluster.crossings(), {}, distance);
+  return distance(nearest) <= tolerance ? ClusterShape{{}, nearest} : ClusterShape{};
 }
 
 }  // namespace splinecore

@@ -40,11 +40,20 @@ class CurveCluster {
   /// Whether a curve goes on from one of the parts to the other.
   bool is_trivial() const noexcept { return is_trivial_; }
 
-  /// Adds where stretches end along the first curve, of many every so many.
-  void add_ends(std::vector<double>& places) const;
+  /// Whether it goes round a closed first curve, but for rounding.
+  bool is_round(const TwoCurves& curves) const noexcept {
+    constexpr double kRounding = 0x1p-40;
+    return curves.a.is_closed() && a_.length() >= (1.0 - kRounding) * curves.a.turn();
+  }
+
+  /// Adds where stretches end along the first curve, of many every so many, held in an interval.
+  void add_ends(std::vector<double>& places, const Interval& in) const;
 
   /// The nearest place of the second curve to a place of the first one.
   SpotPair at(const TwoCurves& curves, double place) const;
+
+  /// Where they are nearest in stretches, of which there are some, each looked at.
+  SpotPair nearest(const TwoCurves& curves) const;
 
  private:
   std::vector<LaidStretch> stretches_;
@@ -54,18 +63,24 @@ class CurveCluster {
   bool is_trivial_ = false;
 };
 
+/// Curves are looked at within so many tolerances: what rounding parts at the edge of the tolerance hangs together so.
+/// What stays farther apart than the tolerance is left out in the end.
+inline constexpr double kWide = 1.25;
+
 /// All findings put together, in no order.
+/// @param findings  within kWide tolerances
 std::vector<CurveCluster> clusters_of(const TwoCurves& curves, const PairFindings& findings, double tolerance);
 
 /// What a cluster is: a stretch that the curves have in common, or a place that they touch or cross at; or nothing, for
 /// parts may be near though no places are.
 struct ClusterShape {
-  bool is_overlap;
-  std::optional<SpotPair> at;  ///< the place
-  bool touches;                ///< whether tangents are parallel there
+  std::optional<Interval> overlap;  ///< places of the first curve
+  std::optional<SpotPair> at{};     ///< the place
+  bool touches = false;             ///< whether tangents are parallel there
 };
 
-bool is_overlap(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
+/// The places of the first curve along which curves are one; none where they but touch or cross.
+std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 
 }  // namespace splinecore

@@ -159,23 +159,31 @@ class PairSearch {
   /// Whether nearly straight parts, where they lie side by side, are within the tolerance; they are one then if so many
   /// places are (Bézout: curves of degrees p and q that meet more than p q times are one).
   bool are_together(const CurvePart& a, const CurvePart& b) {
+    // What they have side by side begins and ends at ends of theirs.
+    const auto are_off = [&](const CurvePart& one, const CurvePart& other) {
+      return is_off(one.points.front(), other, tolerance_) && is_off(one.points.back(), other, tolerance_);
+    };
+    if (are_off(a, b) && are_off(b, a)) return false;
     const auto ends_in = [](const CurvePieces& of, const CurvePart& part, const CurvePart& other) {
       Interval in{foot_of(of, part.piece, part.range, other.points.front()),
                   foot_of(of, part.piece, part.range, other.points.back())};
       if (in.start > in.end) std::swap(in.start, in.end);
       return in;
     };
+    const auto is_near = [&](double t) {
+      const glm::dvec3 point = curves_.a.at({a.piece, t}).point;
+      const double foot = foot_of(curves_.b, b.piece, b.range, point);
+      return glm::length(curves_.b.at({b.piece, foot}, point).offset) <= tolerance_;
+    };
     const Interval in_a = ends_in(curves_.a, a, b);
+    if (in_a.length() > 0.0 && !is_near(in_a.start)) return false;
     const Interval in_b = ends_in(curves_.b, b, a);
     if (in_a.length() == 0.0 && in_b.length() == 0.0) return are_end_to_end(a, in_a.start, b, in_b.start);
     if (in_a.length() == 0.0 || in_b.length() == 0.0) return false;
     constexpr std::size_t kMost = 65;
     const std::size_t count = std::min((a.net.rows - 1) * (b.net.rows - 1) + 2, kMost);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double t = in_a.start + in_a.length() * static_cast<double>(i) / static_cast<double>(count - 1);
-      const glm::dvec3 point = curves_.a.at({a.piece, t}).point;
-      const double foot = foot_of(curves_.b, b.piece, b.range, point);
-      if (glm::length(curves_.b.at({b.piece, foot}, point).offset) > tolerance_) return false;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (!is_near(in_a.start + in_a.length() * static_cast<double>(i) / static_cast<double>(count - 1))) return false;
     }
     add(a, in_a, b, in_b, glm::dot(a.along, b.along) < 0.0 ? -1 : 1, false);
     return true;

@@ -97,6 +97,13 @@ bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& a
   return are_apart_along(a.points, b.points, std::array{axis}, distance);
 }
 
+bool is_off(const glm::dvec3& point, const CurvePart& part, double distance) {
+  const glm::dvec3 offset = point - part.points.front();
+  const glm::dvec3 beside = offset - glm::dot(offset, part.along) * part.along;
+  const double length = glm::length(beside);
+  return length > distance && extent_along(part.points, beside / length, point).end < -distance;
+}
+
 bool is_far_out(const CurvePart& part) {
   constexpr double kFar = 0x1p20;
   const auto is_outside_along = [&](const glm::dvec3& axis) {

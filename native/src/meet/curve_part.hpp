@@ -33,6 +33,9 @@ bool are_apart(const CurvePart& a, const CurvePart& b, double distance);
 /// Whether the hulls of parts with boxes are farther apart than that, as seen along an axis.
 bool are_apart_along(const CurvePart& a, const CurvePart& b, const glm::dvec3& axis, double distance);
 
+/// Whether a point is farther than that beside the hull of a part with a box.
+bool is_off(const glm::dvec3& point, const CurvePart& part, double distance);
+
 /// Whether a part that runs through infinity lies as far outside as coordinates are less exact than places: farther than
 /// 2^20 times the size of the shapes.
 bool is_far_out(const CurvePart& part);

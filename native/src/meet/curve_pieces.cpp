@@ -67,11 +67,14 @@ double CurvePieces::reach(double place, double way, double distance) const {
   constexpr double kShortest = 0x1p-48;
   const CurveSpot from = spot(place);
   const Slopes<1> here = at(from);
-  const double speed = glm::length(here.first[0]);
-  double far = std::clamp(0.125 * distance / speed, kShortest, 0.125);
-  if (!(speed > 0.0)) far = kShortest;
-  std::size_t piece = from.piece;
+  const auto is_within = [&](double far) {
+    return glm::length(at(spot(place + way * far), here.point).offset) <= distance;
+  };
   double end = way > 0.0 ? 1.0 - from.t : from.t;  // of the pieces looked at
+  double far = std::max(std::min(0.125 * distance / glm::length(here.first[0]), 0.125), kShortest);
+  // Where the curve nearly stands still its speed says nothing.
+  while (far > kShortest && (far >= end || !is_within(far))) far *= 0.5;
+  std::size_t piece = from.piece;
   for (;; far *= 2.0) {
     while (far >= end) {
       const std::optional<std::size_t> next = way > 0.0 ? after(piece) : before(piece);
@@ -79,7 +82,7 @@ double CurvePieces::reach(double place, double way, double distance) const {
       piece = *next;
       end += 1.0;
     }
-    if (!(glm::length(at(spot(place + way * far), here.point).offset) <= distance)) return far;
+    if (!is_within(far)) return far;
   }
 }
 

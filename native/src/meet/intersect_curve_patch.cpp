@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
 #include "base/sort_by.hpp"
 #include "curve_patch_pairs.hpp"
@@ -9,12 +10,19 @@
 #include "patch_foot.hpp"
 #include "patch_sheet.hpp"
 #include "plane_patch.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "zero_between.hpp"
 
 namespace splinecore {
 
 namespace {
+
+/// They are looked at within so many tolerances: what rounding parts at the edge of the tolerance hangs together so.
+/// What stays farther apart than the tolerance is left out in the end.
+constexpr double kWide = 1.25;
+/// So many places of a cluster are looked at.
+constexpr std::size_t kCount = 33;
 
 /// What a curve and a patch have in common that hangs together, as places of the curve, and places of the patch there.
 struct Cluster {
@@ -38,10 +46,11 @@ class PierceOutcome {
       : space_(together(curve.points(), patch.points())), curve_(curve, space_), patch_(patch, space_),
         domain_(curve.domain()) {
     tolerance_ = place_tolerance(space_, tolerance);
+    wide_ = kWide * tolerance_;
   }
 
   PatchIntersections found() const {
-    const PiercePairFindings pairs = find_pairs(shapes(), tolerance_);
+    const PiercePairFindings pairs = find_pairs(shapes(), wide_);
     PatchIntersections found;
     std::vector<Place> places;
     for (const Cluster& cluster : clusters_of(pairs)) add(cluster, found, places);
@@ -60,8 +69,8 @@ class PierceOutcome {
 
   Cluster cluster_of(const CurveOnPatch& s) const {
     const Interval own{curve_.place({s.piece, s.range.start}), curve_.place({s.piece, s.range.end})};
-    const Interval wide{own.start - curve_.reach(own.start, -1.0, tolerance_),
-                        own.end + curve_.reach(own.end, 1.0, tolerance_)};
+    const Interval wide{own.start - curve_.reach(own.start, -1.0, wide_),
+                        own.end + curve_.reach(own.end, 1.0, wide_)};
     return {own, wide, {{own.middle(), s.patch}}, {}, true};
   }
 
@@ -73,7 +82,7 @@ class PierceOutcome {
     const Slopes<2> s = patch_.at(at.patch);
     const glm::dvec3 normal = glm::cross(s.first[0], s.first[1]);
     const double rise = std::abs(glm::dot(c.first[0], normal));
-    const double far = rise > 0.0 ? std::min(tolerance_ * glm::length(normal) / rise, kMost) : kMost;
+    const double far = rise > 0.0 ? std::min(wide_ * glm::length(normal) / rise, kMost) : kMost;
     return {{place, place}, {place - far, place + far}, {{place, at.patch}}, {at}, false};
   }
 
@@ -151,11 +160,11 @@ class PierceOutcome {
     const double before = std::min(one.along.end, other.along.end);
     const double behind = std::max(one.along.start, other.along.start);
     if (!are_on_one_sheet(one, other, 0.5 * (before + behind))) return false;
-    if (behind <= before || behind - before <= curve_.reach(before, 1.0, tolerance_)) return true;
+    if (behind <= before || behind - before <= curve_.reach(before, 1.0, wide_)) return true;
     constexpr int kPlaces = 16;
     for (int i = 1; i < kPlaces; ++i) {
       const double place = before + (behind - before) * i / kPlaces;
-      const auto is_near = [&](const Cluster& from) { return shapes().distance(beside(from, place).at) <= tolerance_; };
+      const auto is_near = [&](const Cluster& from) { return shapes().distance(beside(from, place).at) <= wide_; };
       if (!is_near(one) && !is_near(other)) return false;
     }
     return true;
@@ -166,7 +175,7 @@ class PierceOutcome {
   bool are_on_one_sheet(const Cluster& one, const Cluster& other, double place) const {
     const PierceSpot on_one = beside(one, place).at;
     const PierceSpot on_other = beside(other, place).at;
-    if (std::max(shapes().distance(on_one), shapes().distance(on_other)) > tolerance_) return true;
+    if (std::max(shapes().distance(on_one), shapes().distance(on_other)) > wide_) return true;
     return are_one(on_one, on_other);
   }
 
@@ -202,26 +211,70 @@ class PierceOutcome {
     return glm::cross(s.first[0], s.first[1]);
   }
 
+  static std::array<double, kCount> places_of(const Interval& along) {
+    std::array<double, kCount> places{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+      places[i] = std::lerp(along.start, along.end, static_cast<double>(i) / (kCount - 1));
+    }
+    return places;
+  }
+
+  /// Of a cluster the places from the first to the last one within the tolerance; all where none is seen to be.
+  Interval within(const Cluster& cluster) const {
+    const auto places = places_of(cluster.along);
+    const auto is_near = [&](double place) { return shapes().distance(beside(cluster, place).at) <= tolerance_; };
+    const auto first = std::ranges::find_if(places, is_near);
+    if (first == places.end()) return cluster.along;
+    const auto last = std::ranges::find_if(places.rbegin(), places.rend(), is_near);
+    const auto edge = [&](double near, double far) {
+      constexpr int kHalvings = 52;
+      for (int i = 0; i < kHalvings; ++i) (is_near(0.5 * (near + far)) ? near : far) = 0.5 * (near + far);
+      return near;
+    };
+    return {first == places.begin() ? *first : edge(*first, *std::prev(first)),
+            last == places.rbegin() ? *last : edge(*last, *std::prev(last))};
+  }
+
+  /// Most of the length of the curve there, whatever its pace: looked at in each of some stretches, too.
+  bool is_overlap(const Cluster& cluster, const Interval& along) const {
+    // Curves that only touch are nearly a tolerance apart along most of a cluster.
+    const double one = distance_of_one(tolerance_, space_.rounding());
+    constexpr std::size_t kMost = 64;
+    const auto uniform = places_of(along);
+    std::vector<double> places(uniform.begin(), uniform.end());
+    const std::size_t step = cluster.feet.size() / kMost + 1;
+    for (std::size_t i = 0; i < cluster.feet.size(); i += step) {
+      places.push_back(std::clamp(cluster.feet[i].first, along.start, along.end));
+    }
+    std::ranges::sort(places);
+    double near = 0.0;
+    double length = 0.0;
+    bool was_near = false;
+    glm::dvec3 before(0.0);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const PierceSpot at = beside(cluster, places[i]).at;
+      const glm::dvec3 point = curve_.at(at.curve).point;
+      const double chord = i > 0 ? glm::distance(point, before) : 0.0;
+      const bool is_near = shapes().distance(at) <= one;
+      length += chord;
+      if (is_near && was_near) near += chord;
+      was_near = is_near;
+      before = point;
+    }
+    return length > 8.0 * tolerance_ && 4.0 * near >= 3.0 * length;
+  }
+
   /// An overlap, or the place where a curve touches the patch or goes through it at a small angle.
   void add(const Cluster& cluster, PatchIntersections& found, std::vector<Place>& places) const {
     if (!cluster.has_stretches) return add_crossing(cluster, places);
-    constexpr std::size_t kCount = 33;
-    // Curves that only touch are nearly a tolerance apart along most of a cluster.
-    constexpr double kOne = 0x1p-6;
-    std::array<double, kCount> at{};
-    std::array<double, kCount> distances{};
-    std::size_t near = 0;
-    double length = 0.0;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      at[i] = cluster.along.start + cluster.along.length() * static_cast<double>(i) / (kCount - 1);
-      distances[i] = shapes().distance(beside(cluster, at[i]).at);
-      near += distances[i] <= kOne * tolerance_ ? 1 : 0;
-      if (i > 0) length += glm::distance(curve_.at(curve_.spot(at[i])).point, curve_.at(curve_.spot(at[i - 1])).point);
-    }
-    if (length > 8.0 * tolerance_ && 4 * near >= 3 * kCount) {
-      found.overlaps.push_back(overlap(cluster.along));
+    const Interval along = within(cluster);
+    if (is_overlap(cluster, along)) {
+      found.overlaps.push_back(overlap(along));
       return;
     }
+    const auto at = places_of(along);
+    std::array<double, kCount> distances{};
+    for (std::size_t i = 0; i < kCount; ++i) distances[i] = shapes().distance(beside(cluster, at[i]).at);
     const auto best = static_cast<std::size_t>(std::ranges::min_element(distances) - distances.begin());
     const auto height = [&](double place) { return beside(cluster, place).height; };
     const auto slope = [&](double place) { return beside(cluster, place).slope; };
@@ -236,17 +289,42 @@ class PierceOutcome {
     // Where the patch is but a line its normals are noise, and so are heights.
     if (shapes().distance(there.at) > tolerance_) there = beside(cluster, at[best]);
     if (shapes().distance(there.at) > tolerance_) {
-      if (!cluster.crossings.empty()) add_crossing(cluster, places);
-      return;
+      if (!cluster.crossings.empty()) return add_crossing(cluster, places);
+      const std::optional<Beside> nearest = nearest_of(cluster);
+      if (!nearest) return;
+      there = *nearest;
     }
     constexpr double kParallel = 1e-6;
     const double at_ends = std::max(std::abs(slope(at.front())), std::abs(slope(at.back())));
     places.push_back({there.at, std::abs(there.slope) <= std::max(0.5 * at_ends, kParallel)});
   }
 
+  /// A place within the tolerance in any of the stretches of a cluster, each looked at by thirds; none if none has one.
+  std::optional<Beside> nearest_of(const Cluster& cluster) const {
+    constexpr int kThirds = 48;
+    for (const auto& [place, spot] : cluster.feet) {
+      const auto far = [&](double at) { return shapes().distance(beside(cluster, at).at); };
+      Interval in{place - curve_.reach(place, -1.0, tolerance_), place + curve_.reach(place, 1.0, tolerance_)};
+      for (int i = 0; i < kThirds; ++i) {
+        breathe(1024);
+        const double first = in.start + in.length() / 3.0;
+        const double second = in.end - in.length() / 3.0;
+        if (far(first) < far(second)) {
+          in.end = second;
+        } else {
+          in.start = first;
+        }
+      }
+      const Beside there = beside(cluster, in.middle());
+      if (shapes().distance(there.at) <= tolerance_) return there;
+    }
+    return {};
+  }
+
   void add_crossing(const Cluster& cluster, std::vector<Place>& places) const {
     const auto distance = [&](const PierceSpot& at) { return shapes().distance(at); };
-    places.push_back({*std::ranges::min_element(cluster.crossings, {}, distance), false});
+    const PierceSpot nearest = *std::ranges::min_element(cluster.crossings, {}, distance);
+    if (distance(nearest) <= tolerance_) places.push_back({nearest, false});
   }
 
   /// Of a closed curve the end may be a turn further.
@@ -296,6 +374,7 @@ class PierceOutcome {
   PatchPieces patch_;
   Interval domain_;
   double tolerance_;
+  double wide_;
 };
 
 }  // namespace

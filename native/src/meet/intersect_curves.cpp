@@ -21,18 +21,24 @@ class IntersectionSearch {
   }
 
   CurveIntersections found() const {
-    const PairFindings pairs = b_ ? find_pairs(a_, *b_, tolerance_) : find_own_pairs(a_, tolerance_);
+    const double wide = kWide * tolerance_;
+    const PairFindings pairs = b_ ? find_pairs(a_, *b_, wide) : find_own_pairs(a_, wide);
     CurveIntersections found;
     std::vector<Place> places;
+    std::vector<LaidOverlap> overlaps;
     for (const CurveCluster& cluster : clusters_of(curves(), pairs, tolerance_)) {
       const ClusterShape shape = shape_of(cluster, curves(), tolerance_);
-      if (shape.is_overlap) {
-        found.overlaps.push_back(overlap(cluster));
+      if (shape.overlap) {
+        overlaps.push_back(overlap(cluster, *shape.overlap));
       } else if (shape.at && !cluster.is_trivial()) {
         places.push_back({*shape.at, shape.touches});
       }
     }
     found.places = once_each(std::move(places));
+    if (!b_ && a_.is_closed()) join_over_the_end(overlaps);
+    for (const LaidOverlap& o : overlaps) {
+      found.overlaps.push_back({parameters(a_, domain_a_, o.a), parameters(b(), domain_b_, o.b), o.is_reversed});
+    }
     sort_by(found.overlaps, [](const CurveOverlap& overlap) { return overlap.a.start; });
     return found;
   }
@@ -43,8 +49,17 @@ class IntersectionSearch {
     bool touches;
   };
 
+  /// Stretches of both curves as places.
+  struct LaidOverlap {
+    Interval a;
+    Interval b;
+    bool is_reversed;
+
+    LaidOverlap swapped() const { return {b, a, is_reversed}; }
+  };
+
   const CurvePieces& b() const { return b_ ? *b_ : a_; }
-  TwoCurves curves() const { return {a_, b()}; }
+  TwoCurves curves() const { return {a_, b(), space_.rounding()}; }
 
   /// Of places that are one, along the first curve next to each other, the one that curves touch at, or are nearest.
   std::vector<CurveIntersection> once_each(std::vector<Place> places) const {
@@ -138,13 +153,12 @@ class IntersectionSearch {
     return curve.is_closed() && u >= domain.end ? domain.start : u;
   }
 
-  CurveOverlap overlap(const CurveCluster& cluster) const {
+  LaidOverlap overlap(const CurveCluster& cluster, const Interval& along) const {
     constexpr int kSteps = 64;
-    const double turn_a = a_.turn();
     const double turn_b = b().turn();
-    const bool is_round = a_.is_closed() && cluster.a().length() >= turn_a;
-    const double from = is_round ? 0.0 : cluster.a().start;
-    const double length = is_round ? turn_a : cluster.a().length();
+    const bool is_round = cluster.is_round(curves());
+    const double from = is_round ? 0.0 : along.start;
+    const double length = is_round ? a_.turn() : along.length();
     const auto place_b = [&](int i) {
       return b().place(cluster.at(curves(), from + length * i / kSteps).b);
     };
@@ -154,8 +168,42 @@ class IntersectionSearch {
       const double step = place_b(i) - end;
       end += b().is_closed() ? step - std::round(step / turn_b) * turn_b : step;
     }
-    return {parameters(a_, domain_a_, {from, from + length}),
-            parameters(b(), domain_b_, {std::min(start, end), std::max(start, end)}), start > end};
+    return {{from, from + length}, {std::min(start, end), std::max(start, end)}, start > end};
+  }
+
+  /// Of a closed curve with itself an overlap with one of its stretches to the end, and one from the start that goes on
+  /// where the former stops, are one.
+  void join_over_the_end(std::vector<LaidOverlap>& overlaps) const {
+    const auto joined_with_any = [&](std::size_t i) {
+      for (std::size_t j = 0; j < overlaps.size(); ++j) {
+        const auto both = i == j ? std::nullopt : joined(overlaps[i], overlaps[j]);
+        if (!both) continue;
+        overlaps[std::min(i, j)] = *both;
+        overlaps.erase(overlaps.begin() + static_cast<std::ptrdiff_t>(std::max(i, j)));
+        return true;
+      }
+      return false;
+    };
+    for (std::size_t i = 0; i < overlaps.size();) i = joined_with_any(i) ? 0 : i + 1;
+  }
+
+  std::optional<LaidOverlap> joined(const LaidOverlap& before, const LaidOverlap& after) const {
+    if (before.is_reversed != after.is_reversed) return {};
+    const auto are_one_place = [&](double p, double q) {
+      return a_.are_one(a_.spot(p), a_.spot(q), kWide * tolerance_);
+    };
+    for (const LaidOverlap& x : {before, before.swapped()}) {
+      for (const LaidOverlap& y : {after, after.swapped()}) {
+        if (!are_one_place(x.a.end, 0.0) || !are_one_place(y.a.start, 0.0)) continue;
+        if (!are_one_place(x.is_reversed ? x.b.start : x.b.end, x.is_reversed ? y.b.end : y.b.start)) continue;
+        const Interval over{x.a.start, a_.turn() + y.a.end};
+        const Interval beside = x.is_reversed ? Interval{y.b.start, x.b.end} : Interval{x.b.start, y.b.end};
+        if (beside.start >= beside.end || over.length() > a_.turn()) continue;
+        return over.start < beside.start ? LaidOverlap{over, beside, x.is_reversed}
+                                         : LaidOverlap{beside, over, x.is_reversed};
+      }
+    }
+    return {};
   }
 
   /// On a closed curve the end may be a turn further.

@@ -129,6 +129,10 @@ double default_place_tolerance(std::span<const glm::dvec4> points) {
   return space.length(kOfSize * space.size());
 }
 
+double distance_of_one(double tolerance, double rounding) noexcept {
+  return std::max(0x1p-6 * tolerance, std::min(4.0 * rounding, 0.25 * tolerance));
+}
+
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance) {
   require_tolerance(tolerance);
   constexpr double kRounding = 0x1p-46;

@@ -79,6 +79,9 @@ std::vector<glm::dvec4> together(std::span<const glm::dvec4> a, std::span<const 
 /// The tolerance for places of a shape where none is given: 2^-33 of its size.
 double default_place_tolerance(std::span<const glm::dvec4> points);
 
+/// What is one lies so near, of a tolerance there: 1/64 of it, or what rounding of the coordinates leaves.
+double distance_of_one(double tolerance, double rounding) noexcept;
+
 /// A tolerance there for places of shapes, by default 2^-33 of their size; no smaller one than rounding leaves.
 /// @throws InvalidShape unless it is 0 or more.
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance);

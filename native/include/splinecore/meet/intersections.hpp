@@ -53,6 +53,11 @@ struct PatchIntersections {
 /// other. Of a curve that ends where it begins places are in [start, end). What is farther away than 2^20 times the size,
 /// where a curve runs through infinity, meets nothing.
 ///
+/// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
+/// (k + 1)th root: that is one place, which touches, anywhere in the middle of that stretch that rounding leaves. It is
+/// an overlap where they are much nearer, within 1/64 of the tolerance, along three quarters of it, or where it is a
+/// quarter of one of both curves.
+///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
 /// a gap shows not to be, or they lie within the tolerance of each other. S18.
@@ -61,7 +66,8 @@ struct PatchIntersections {
 CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 
 /// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
-/// of, as at a cusp; where it folds it lies on itself.
+/// of, as at a cusp; where it folds it lies on itself. Of a closed curve a stretch over its end is one, whose end is a
+/// turn further.
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});
 
 /// Where a curve and a patch are at most `tolerance` apart: places where their distance is least, the ends of the curve
