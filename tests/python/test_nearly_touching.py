@@ -193,13 +193,13 @@ def test_two_patches_through_infinity_together_are_refused():
         assert found.closed.all()
 
 
-def wild_graph(rng):
-    """Of degrees 1 to 4, with creases."""
-    degrees = [int(p) for p in rng.integers(1, 5, 2)]
+def wild_graph(rng, least=1):
+    """Of degrees up to 4; of degree 1 it has creases."""
+    degrees = [int(p) for p in rng.integers(least, 5, 2)]
     knots = []
     for p in degrees:
         inner = np.linspace(0, 1, rng.integers(2, 8))[1:-1]
-        if len(inner) and p > 1 and rng.integers(3) == 0:
+        if len(inner) and p > 2 and rng.integers(3) == 0:
             inner = np.sort(np.r_[inner, rng.choice(inner)])
         knots.append(np.r_[[0.0] * (p + 1), inner, [1.0] * (p + 1)])
     x, y = np.meshgrid(*(np.linspace(-1, 1, len(k) - p - 1) for k, p in zip(knots, degrees)), indexing="ij")
@@ -239,7 +239,7 @@ def test_a_fitted_wave_and_a_copy_beside_it(count):
 def test_graphs_and_copies_as_near_as_can_be(inputs):
     rng = np.random.default_rng(11)
     for _ in range(inputs(1000)):
-        patch, angle = wild_graph(rng), 10**rng.uniform(-6, -2)
+        patch, angle = wild_graph(rng, 2), 10**rng.uniform(-6, -2)
         copy = patch.transformed(little_motion(rng, angle))
         found = patch.sections(copy, 0.01 * angle)
         check(patch, copy, found, 0.011 * angle, 100)
@@ -248,15 +248,33 @@ def test_graphs_and_copies_as_near_as_can_be(inputs):
         assert total_length(other) == pytest.approx(total_length(found), abs=1e-3 * max(1, total_length(found)))
 
 
-def test_a_part_of_a_patch_is_one_with_it_up_to_its_borders(inputs):
+def part_of(rng, patch):
+    u, v = rng.uniform(0.05, 0.4, 2), rng.uniform(0.6, 0.95, 2)
+    part = patch.split("u", u[0])[1].split("u", v[0])[0].split("v", u[1])[1].split("v", v[1])[0]
+    return part.elevate("u") if rng.integers(2) else part
+
+
+def test_a_part_of_a_smooth_patch_is_one_with_it_up_to_its_borders(inputs):
     rng = np.random.default_rng(12)
     for _ in range(inputs(1000)):
-        patch = wild_graph(rng)
-        u, v = rng.uniform(0.05, 0.4, 2), rng.uniform(0.6, 0.95, 2)
-        part = patch.split("u", u[0])[1].split("u", v[0])[0].split("v", u[1])[1].split("v", v[1])[0]
-        if rng.integers(2):
-            part = part.elevate("u")
+        patch = wild_graph(rng, 2)
+        part = part_of(rng, patch)
         around = sum(part.boundary(side).length(tolerance=1e-7) for side in ("u_start", "u_end", "v_start", "v_end"))
         for found in (patch.sections(part), part.sections(patch)):
             assert found.are_one and set(found.kinds) == {"border"} and not len(found.points)
             assert total_length(found) == pytest.approx(around, rel=1e-3)
+
+
+def test_a_part_of_a_creased_patch_is_one_with_it_or_refused(inputs):
+    rng = np.random.default_rng(13)
+    told = 0
+    for _ in range(inputs(200)):
+        patch = wild_graph(rng)
+        try:
+            found = patch.sections(part_of(rng, patch))
+        except sc.InvalidShape as refusal:
+            assert "nearly one" in str(refusal)
+            continue
+        told += 1
+        assert found.are_one
+    assert told

@@ -248,7 +248,7 @@ class SectionSearch {
     const bool is_on_curve = std::ranges::any_of(crossing_.traces(), [&](const SectionTrace& trace) {
       return !is_point(trace) && std::ranges::any_of(trace.places, is_here);
     });
-    if (is_on_curve || touching_.is_near(touch.point, kTolerancesOfTouch * tolerance_)) return;
+    if (is_on_curve || touching_.is_in_one(touch.at) || touching_.is_near(touch.point, kTolerancesOfTouch * tolerance_)) return;
     const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
     const auto is_known = [&](const SectionPoint& other) { return distance_of(other.point, out) <= near; };

@@ -194,14 +194,22 @@ Box MatchedNets::range_of_b() const {
   return found;
 }
 
+namespace {
+
+/// A parameter of a range by its share; beside an end by a rounding it is that.
+double within(const Interval& range, double share) {
+  constexpr double kRounding = 0x1p-40;
+  if (share <= kRounding) return range.start;
+  return share >= 1.0 - kRounding ? range.end : range.start + share * range.length();
+}
+
+}  // namespace
+
 Box MatchedNets::of_a(const Box& box) const {
   Box found;
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& own = range_a_[k];
-    const auto at = [&](double t) {
-      return t <= 0.0 ? own.start : t >= 1.0 ? own.end : own.start + t * own.length();
-    };
-    found[k] = {at(box[k].start), at(box[k].end)};
+    found[k] = {within(own, box[k].start), within(own, box[k].end)};
   }
   return found;
 }
@@ -213,10 +221,7 @@ Box MatchedNets::of_b(const Box& box) const {
     double start = ends_[k].at(box[k].start);
     double end = ends_[k].at(box[k].end);
     if (start > end) std::swap(start, end);
-    const auto at = [&](double t) {
-      return t <= 0.0 ? own.start : t >= 1.0 ? own.end : own.start + t * own.length();
-    };
-    found[is_exchanged_ ? 1 - k : k] = {at(start), at(end)};
+    found[is_exchanged_ ? 1 - k : k] = {within(own, start), within(own, end)};
   }
   return found;
 }
