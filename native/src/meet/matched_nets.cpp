@@ -14,21 +14,21 @@ namespace splinecore {
 
 namespace {
 
-using Net = BernsteinNet<glm::dvec3>;
+using PlaceNet = BernsteinNet<glm::dvec3>;
 
-std::optional<Net> polynomial(const BernsteinNet<glm::dvec4>& net) {
+std::optional<PlaceNet> polynomial(const BernsteinNet<glm::dvec4>& net) {
   constexpr double kRounding = 0x1p-44;
   const double w = net.values.front().w;
   const double rounded = kRounding * std::abs(w);
   if (!std::ranges::all_of(net.values, [&](const glm::dvec4& h) { return std::abs(h.w - w) <= rounded; })) return {};
-  Net found{net.rows, net.columns, {}};
+  PlaceNet found{net.rows, net.columns, {}};
   found.values.reserve(net.values.size());
   for (const glm::dvec4& h : net.values) found.values.push_back(project(h));
   return found;
 }
 
-Net exchanged(const Net& net) {
-  Net found{net.columns, net.rows, {}};
+PlaceNet exchanged(const PlaceNet& net) {
+  PlaceNet found{net.columns, net.rows, {}};
   found.values.reserve(net.values.size());
   for (std::size_t j = 0; j < net.columns; ++j) {
     for (std::size_t i = 0; i < net.rows; ++i) found.values.push_back(net.at(i, j));
@@ -36,7 +36,7 @@ Net exchanged(const Net& net) {
   return found;
 }
 
-void reverse(Net& net, Axis axis) {
+void reverse(PlaceNet& net, Axis axis) {
   for (std::size_t i = 0; i < net.rows; ++i) {
     for (std::size_t j = 0; j < net.columns; ++j) {
       const std::size_t row = axis == Axis::u ? net.rows - 1 - i : i;
@@ -47,12 +47,12 @@ void reverse(Net& net, Axis axis) {
 }
 
 /// Over a range along an axis, which may run backward or go beyond the ends.
-void take(Net& net, Axis axis, double start, double end) {
+void take(PlaceNet& net, Axis axis, double start, double end) {
   if (start > end) {
     take(net, axis, end, start);
     return reverse(net, axis);
   }
-  Net other;
+  PlaceNet other;
   const auto keep_before = [&](double t) { net.cut(axis, t, other); };
   const auto keep_after = [&](double t) {
     net.cut(axis, t, other);
@@ -67,11 +67,11 @@ void take(Net& net, Axis axis, double start, double end) {
   }
 }
 
-void raise(Net& net, Axis axis, std::size_t count) {
+void raise(PlaceNet& net, Axis axis, std::size_t count) {
   while (net.count(axis) < count) {
     const std::size_t n = net.count(axis);
     const bool is_u = axis == Axis::u;
-    Net raised{net.rows + (is_u ? 1 : 0), net.columns + (is_u ? 0 : 1), {}};
+    PlaceNet raised{net.rows + (is_u ? 1 : 0), net.columns + (is_u ? 0 : 1), {}};
     for (std::size_t i = 0; i < raised.rows; ++i) {
       for (std::size_t j = 0; j < raised.columns; ++j) {
         const std::size_t k = is_u ? i : j;
@@ -111,13 +111,13 @@ std::optional<std::array<double, 2>> foot(const PatchPart& part, const glm::dvec
 }
 
 template <class Value, class Product>
-BernsteinNet<Value> product(const Net& a, const Net& b, Product multiply) {
+BernsteinNet<Value> product(const PlaceNet& a, const PlaceNet& b, Product multiply) {
   const int p = a.degree(Axis::u);
   const int q = a.degree(Axis::v);
   const int r = b.degree(Axis::u);
   const int s = b.degree(Axis::v);
   breathe(8 * a.values.size() * b.values.size());
-  const auto scaled = [](const Net& net) {
+  const auto scaled = [](const PlaceNet& net) {
     std::vector<glm::dvec3> values;
     values.reserve(net.values.size());
     for (std::size_t i = 0; i < net.rows; ++i) {
@@ -150,7 +150,7 @@ BernsteinNet<Value> product(const Net& a, const Net& b, Product multiply) {
 
 }  // namespace
 
-MatchedNets::MatchedNets(const PatchPart& a, const PatchPart& b, Net net_a, Net net_b, bool is_exchanged,
+MatchedNets::MatchedNets(const PatchPart& a, const PatchPart& b, PlaceNet net_a, PlaceNet net_b, bool is_exchanged,
                          const std::array<Ends, 2>& ends)
     : range_a_(a.range), range_b_(b.range), a_(std::move(net_a)), b_(std::move(net_b)), is_exchanged_(is_exchanged),
       ends_(ends) {}
@@ -158,8 +158,8 @@ MatchedNets::MatchedNets(const PatchPart& a, const PatchPart& b, Net net_a, Net 
 std::optional<MatchedNets> MatchedNets::of(const PatchPart& a, const PatchPart& b) {
   constexpr double kLeast = 0x1p-4;
   constexpr double kMost = 0x1p4;
-  std::optional<Net> net_a = polynomial(a.net);
-  std::optional<Net> net_b = net_a ? polynomial(b.net) : std::nullopt;
+  std::optional<PlaceNet> net_a = polynomial(a.net);
+  std::optional<PlaceNet> net_b = net_a ? polynomial(b.net) : std::nullopt;
   if (!net_b) return {};
   const Slopes<2> middle = slopes_at(a, {0.5, 0.5}, glm::dvec3(0.0));
   const auto at = foot(b, middle.point);
@@ -184,8 +184,8 @@ std::optional<MatchedNets> MatchedNets::of(const PatchPart& a, const PatchPart& 
   return MatchedNets(a, b, std::move(*net_a), is_exchanged ? exchanged(*net_b) : std::move(*net_b), is_exchanged, ends);
 }
 
-Box MatchedNets::range_of_b() const {
-  Box found;
+RangesOfTwo MatchedNets::range_of_b() const {
+  RangesOfTwo found;
   for (std::size_t k = 0; k < 2; ++k) {
     const double start = ends_[k].inverse(0.0);
     const double end = ends_[k].inverse(1.0);
@@ -205,8 +205,8 @@ double within(const Interval& range, double share) {
 
 }  // namespace
 
-Box MatchedNets::of_a(const Box& box) const {
-  Box found;
+RangesOfTwo MatchedNets::of_a(const RangesOfTwo& box) const {
+  RangesOfTwo found;
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& own = range_a_[k];
     found[k] = {within(own, box[k].start), within(own, box[k].end)};
@@ -214,8 +214,8 @@ Box MatchedNets::of_a(const Box& box) const {
   return found;
 }
 
-Box MatchedNets::of_b(const Box& box) const {
-  Box found;
+RangesOfTwo MatchedNets::of_b(const RangesOfTwo& box) const {
+  RangesOfTwo found;
   for (std::size_t k = 0; k < 2; ++k) {
     const Interval& own = range_b_[is_exchanged_ ? 1 - k : k];
     double start = ends_[k].at(box[k].start);
@@ -236,7 +236,7 @@ double growth(double start, double end, int degree) {
 
 }  // namespace
 
-MatchedNets::Nets MatchedNets::over(const Box& box) const {
+MatchedNets::Nets MatchedNets::over(const RangesOfTwo& box) const {
   constexpr double kRounding = 0x1p-52;
   double of_a = 1.0;
   double of_b = 1.0;
@@ -262,11 +262,11 @@ std::array<int, 2> MatchedNets::ways() const {
   return {ends_[0].end > ends_[0].start ? 1 : -1, ends_[1].end > ends_[1].start ? 1 : -1};
 }
 
-Net cross_product(const Net& a, const Net& b) {
+PlaceNet cross_product(const PlaceNet& a, const PlaceNet& b) {
   return product<glm::dvec3>(a, b, [](const glm::dvec3& p, const glm::dvec3& q) { return glm::cross(p, q); });
 }
 
-BernsteinNet<double> scalar_product(const Net& a, const Net& b) {
+BernsteinNet<double> scalar_product(const PlaceNet& a, const PlaceNet& b) {
   return product<double>(a, b, [](const glm::dvec3& p, const glm::dvec3& q) { return glm::dot(p, q); });
 }
 

@@ -9,7 +9,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-using Box = std::array<Interval, 2>;
+using RangesOfTwo = std::array<Interval, 2>;
 
 /// Two polynomial parts of patches by the same parameters: a place of the first one, and the place of the second one that is
 /// about right across from it. Which these are need not be exact, nor unique.
@@ -19,11 +19,11 @@ class MatchedNets {
   static std::optional<MatchedNets> of(const PatchPart& a, const PatchPart& b);
 
   /// All of the second part, by the parameters of the first one, which is [0, 1]² of them.
-  Box range_of_b() const;
+  RangesOfTwo range_of_b() const;
 
   /// What a box of these parameters is of both pieces.
-  Box of_a(const Box& box) const;
-  Box of_b(const Box& box) const;
+  RangesOfTwo of_a(const RangesOfTwo& box) const;
+  RangesOfTwo of_b(const RangesOfTwo& box) const;
 
   /// Both over a box, beyond their ends, too, and of the same degrees.
   struct Nets {
@@ -31,7 +31,7 @@ class MatchedNets {
     BernsteinNet<glm::dvec3> gap;  ///< what the second one is from there
     double rounding;               ///< what of that may be rounding
   };
-  Nets over(const Box& box) const;
+  Nets over(const RangesOfTwo& box) const;
 
   /// Which way the own parameter of the second part goes where that of the first one rises, and whether both are exchanged.
   std::array<int, 2> ways() const;
@@ -50,8 +50,8 @@ class MatchedNets {
   MatchedNets(const PatchPart& a, const PatchPart& b, BernsteinNet<glm::dvec3> net_a, BernsteinNet<glm::dvec3> net_b,
               bool is_exchanged, const std::array<Ends, 2>& ends);
 
-  Box range_a_;
-  Box range_b_;
+  RangesOfTwo range_a_;
+  RangesOfTwo range_b_;
   BernsteinNet<glm::dvec3> a_;
   BernsteinNet<glm::dvec3> b_;  ///< its parameters exchanged, if they are
   bool is_exchanged_;

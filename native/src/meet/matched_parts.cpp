@@ -9,9 +9,9 @@ namespace splinecore {
 
 namespace {
 
-using Net = BernsteinNet<glm::dvec3>;
+using PlaceNet = BernsteinNet<glm::dvec3>;
 
-double largest(const Net& net) {
+double largest(const PlaceNet& net) {
   double most = 0.0;
   for (const glm::dvec3& value : net.values) most = std::max(most, glm::length(value));
   return most;
@@ -22,25 +22,25 @@ double mean(const BernsteinNet<double>& net) {
   return std::accumulate(net.values.begin(), net.values.end(), 0.0) / static_cast<double>(net.values.size());
 }
 
-Interval range_along(const Net& net, const glm::dvec3& axis) {
+Interval range_along(const PlaceNet& net, const glm::dvec3& axis) {
   const auto [low, high] = net.range([&](const glm::dvec3& value) { return glm::dot(value, axis); });
   return {low, high};
 }
 
 double size_of(const Interval& range) { return std::max(std::abs(range.start), std::abs(range.end)); }
 
-glm::dvec3 sum_of(const Net& net) { return std::accumulate(net.values.begin(), net.values.end(), glm::dvec3(0.0)); }
+glm::dvec3 sum_of(const PlaceNet& net) { return std::accumulate(net.values.begin(), net.values.end(), glm::dvec3(0.0)); }
 
-glm::dvec3 mean_of(const Net& net) { return sum_of(net) / static_cast<double>(net.values.size()); }
+glm::dvec3 mean_of(const PlaceNet& net) { return sum_of(net) / static_cast<double>(net.values.size()); }
 
 /// Largest derivatives by both parameters, and by both twice.
 struct Bounds {
   std::array<double, 2> first{};
   std::array<double, 3> second{};  ///< uu, vv, uv
 
-  explicit Bounds(const Net& net) {
-    const Net u = net.derivative(Axis::u);
-    const Net v = net.derivative(Axis::v);
+  explicit Bounds(const PlaceNet& net) {
+    const PlaceNet u = net.derivative(Axis::u);
+    const PlaceNet v = net.derivative(Axis::v);
     first = {largest(u), largest(v)};
     second = {u.rows > 1 ? largest(u.derivative(Axis::u)) : 0.0, v.columns > 1 ? largest(v.derivative(Axis::v)) : 0.0,
               u.columns > 1 ? largest(u.derivative(Axis::v)) : 0.0};
@@ -59,10 +59,10 @@ struct Bounds {
 
 /// Both parts over a box, and by how much at most parameters differ of places of both that are one, or right above each other.
 struct Compared {
-  Net a;
-  Net gap;
+  PlaceNet a;
+  PlaceNet gap;
   double rounding;
-  std::array<Net, 2> tangents;
+  std::array<PlaceNet, 2> tangents;
   glm::dvec3 up;
   std::array<glm::dvec3, 2> across;  ///< at right angles to up, and to tangents along the other parameter
   std::array<double, 2> least;       ///< of tangents along these
@@ -72,7 +72,7 @@ struct Compared {
   double area() const { return least[0] * least[1] - most[0] * most[1]; }
 };
 
-std::optional<Compared> compared(const MatchedNets& nets, const Box& box, double rounding) {
+std::optional<Compared> compared(const MatchedNets& nets, const RangesOfTwo& box, double rounding) {
   auto [a, gap, rounded] = nets.over(box);
   Compared found{std::move(a), std::move(gap), rounding + rounded, {}, {}, {}, {}, {}};
   found.tangents = {found.a.derivative(Axis::u), found.a.derivative(Axis::v)};
@@ -99,8 +99,8 @@ Interval common(const Interval& range, const Interval& other, double beyond) {
   return {std::max(range.start, other.start - beyond), std::min(range.end, other.end + beyond)};
 }
 
-Box hull(const Box& a, const Box& b, const std::array<double, 2>& beyond) {
-  Box found;
+RangesOfTwo hull(const RangesOfTwo& a, const RangesOfTwo& b, const std::array<double, 2>& beyond) {
+  RangesOfTwo found;
   for (std::size_t k = 0; k < 2; ++k) {
     found[k] = {std::min(a[k].start, b[k].start) - beyond[k], std::max(a[k].end, b[k].end) + beyond[k]};
   }
@@ -109,12 +109,12 @@ Box hull(const Box& a, const Box& b, const std::array<double, 2>& beyond) {
 
 /// In parameters of the first part: what of both may have places in common.
 struct CommonBoxes {
-  Box a;
-  Box b;
+  RangesOfTwo a;
+  RangesOfTwo b;
   bool are_beside = false;
 };
 
-bool is_near(const Box& box) {
+bool is_near(const RangesOfTwo& box) {
   constexpr double kFar = 4.0;
   return std::ranges::all_of(box, [](const Interval& range) { return range.start > -kFar && range.end < 1.0 + kFar; });
 }
@@ -123,7 +123,7 @@ std::optional<CommonBoxes> common_boxes(const MatchedNets& nets, double rounding
   constexpr int kMostRounds = 6;
   CommonBoxes boxes{{Interval{}, Interval{}}, nets.range_of_b()};
   for (int round = 0; round < kMostRounds; ++round) {
-    const Box all = hull(boxes.a, boxes.b, {0.0, 0.0});
+    const RangesOfTwo all = hull(boxes.a, boxes.b, {0.0, 0.0});
     if (!is_near(all)) return {};
     const std::optional<Compared> both = compared(nets, all, rounding);
     if (!both) return round == 0 ? std::nullopt : std::optional(boxes);
@@ -219,7 +219,7 @@ class HeightOverPart {
   }
 
   const Compared& both_;
-  Net normals_;
+  PlaceNet normals_;
   BernsteinNet<double> heights_;
   Bounds of_a_;
   Bounds of_normals_;
@@ -247,12 +247,12 @@ std::optional<MatchedParts> matched_parts(const PatchPart& a, const PatchPart& b
   if (!boxes) return {};
   MatchedParts found{boxes->are_beside, nets->of_a(boxes->a), nets->of_b(boxes->b), {{-1e300, 1e300}, 0.0, 0.0, {}, false}};
   if (found.are_beside) return found;
-  const Box least = hull(boxes->a, boxes->b, {0.0, 0.0});
+  const RangesOfTwo least = hull(boxes->a, boxes->b, {0.0, 0.0});
   const std::optional<Compared> before = compared(*nets, least, rounding);
   if (!before) return {};
   std::array<double, 2> beyond{};
   for (std::size_t k = 0; k < 2; ++k) beyond[k] = kWider * before->slide[k] * least[k].length();
-  const Box all = hull(boxes->a, boxes->b, beyond);
+  const RangesOfTwo all = hull(boxes->a, boxes->b, beyond);
   const std::optional<Compared> both = is_near(all) ? compared(*nets, all, rounding) : std::nullopt;
   if (!both) return {};
   for (std::size_t k = 0; k < 2; ++k) {

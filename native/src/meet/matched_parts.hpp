@@ -13,8 +13,8 @@ namespace splinecore {
 /// are.
 struct MatchedParts {
   bool are_beside = false;      ///< whether they have no place in common, as those of one end before those of the other
-  Box of_a;                     ///< what of each may have places in common with the other, of their pieces
-  Box of_b;
+  RangesOfTwo of_a;                     ///< what of each may have places in common with the other, of their pieces
+  RangesOfTwo of_b;
   HeightDifference difference;  ///< of these, as far as known
 };
 

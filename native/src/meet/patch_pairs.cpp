@@ -80,7 +80,7 @@ class PatchPairSearch {
   }
 
   /// Whether what may be in common is so much less than the parts.
-  static bool is_less(const Box& of_a, const Box& a, const Box& of_b, const Box& b) {
+  static bool is_less(const RangesOfTwo& of_a, const RangesOfTwo& a, const RangesOfTwo& of_b, const RangesOfTwo& b) {
     constexpr double kLess = 0.5;
     for (std::size_t k = 0; k < 2; ++k) {
       if (of_a[k].length() < kLess * a[k].length() || of_b[k].length() < kLess * b[k].length()) return true;
@@ -94,16 +94,16 @@ class PatchPairSearch {
   }
 
   /// Whether all that counts of a part is a line, up to rounding.
-  bool is_thin(const PatchPart& part, const Box& kept, std::size_t k) const {
+  bool is_thin(const PatchPart& part, const RangesOfTwo& kept, std::size_t k) const {
     constexpr double kRoundings = 16.0;
     constexpr double kLess = 0x1p-8;
     const double share = kept[k].length() / part.range[k].length();
     return share < kLess && share * part.size[k] <= kRoundings * slack_;
   }
-  bool is_thin(const PatchPart& part, const Box& kept) const { return is_thin(part, kept, 0) || is_thin(part, kept, 1); }
+  bool is_thin(const PatchPart& part, const RangesOfTwo& kept) const { return is_thin(part, kept, 0) || is_thin(part, kept, 1); }
 
   /// Whether it is a side beyond which the patch goes on: then what is there is found beyond it, too.
-  bool is_on_side(const PatchPieces& pieces, const PatchPart& part, const Box& kept) const {
+  bool is_on_side(const PatchPieces& pieces, const PatchPart& part, const RangesOfTwo& kept) const {
     for (const Axis axis : {Axis::u, Axis::v}) {
       const std::size_t k = axis == Axis::u ? 0 : 1;
       if (!is_thin(part, kept, k)) continue;
