@@ -12,7 +12,7 @@ from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Explode', 'Export', 'Extend', 'Extract',
-         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Move', 'Offset', 'Pick', 'Project', 'Pull', 'Raise',
+         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Offset', 'Pick', 'Project', 'Pull', 'Raise',
          'Rebuild', 'Release', 'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Sort', 'Split', 'Swap', 'Sweep', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
          'Write'}
 

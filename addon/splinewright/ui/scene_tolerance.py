@@ -41,6 +41,10 @@ class _TolerancePanel:
     bl_label = "NURBS Tolerance"
     bl_options = {'DEFAULT_CLOSED'}
 
+    @classmethod
+    def poll(cls, context):
+        return context.scene is not None
+
     def draw(self, context):
         layout, scene = self.layout, context.scene
         chosen = scene_tolerance.settings(scene)

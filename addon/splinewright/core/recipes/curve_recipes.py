@@ -7,7 +7,7 @@ from ..failures import Refusal
 from ..library import sc
 from .recipe import Result, Parameter, Recipe
 
-_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH', of_scene=True)
+_TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH')
 _PARAMETERS = Parameter("parametrisation", "Spacing", "How the parameters of the points are spaced", "centripetal", choices=(
     ("uniform", "Uniform", "One apart"),
     ("centripetal", "Centripetal", "By the square roots of the distances: no loops where points crowd"),

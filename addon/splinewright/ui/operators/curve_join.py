@@ -67,7 +67,7 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
                       "The way back from To Bezier Chain")
-    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
     has_settings = True
@@ -103,7 +103,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
     bl_label = "Join Curves"
     bl_description = ("Make the selected curve shapes one shape, in the place of the active one, and one curve wherever their ends "
                       "meet; curves are turned round where they must be")
-    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    bl_options = {'REGISTER', 'UNDO'}
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curves may move")
 

@@ -209,6 +209,7 @@ class SPLINEWRIGHT_OT_make_periodic(OnCurves, bpy.types.Operator):
     bl_description = ("Make a closed curve periodic, as smooth at its seam as it is; "
                       "a gap within the tolerance is closed")
     done, already = "Made {} periodic", "it is periodic already"
+    bl_options = {'REGISTER', 'UNDO'}
     has_scene_tolerance = True
 
     tolerance: scene_tolerance_property("How far the ends may lie apart, and the curve move")
@@ -248,6 +249,7 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
                       "conics within a tolerance, and say how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
+    bl_options = {'REGISTER', 'UNDO'}
     has_scene_tolerance = True
 
     tolerance: scene_tolerance_property("How far cubics may lie from a conic")

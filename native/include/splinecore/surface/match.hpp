@@ -21,8 +21,8 @@ struct MatchOptions {
 /// Along the side both get, exactly, one degree and the same knots. Of the rows of control points beside the side the
 /// first ones follow from the other patch's derivatives: they go on as L(t) A(k t + m t² / 2 + n t³ / 6), as
 /// joined_patches() makes them, by k, m and n with which row after row moves least (least squares); at the patch's own pace,
-/// or a lower one, where weights would not stay positive, or points would lie off the straight ways out by more than 1.5
-/// times these. Of those that may move, too, the others go with them so that the differences of what they move by are as
+/// or a lower one, where weights would not stay positive, or from curvatures on points would lie off the straight ways out by
+/// more than 1.5 times these, or than they do. Of those that may move, too, the others go with them so that the differences of what they move by are as
 /// even as can be. The rest stay where they are: the patch is raised in degree until the opposite side is among these.
 /// @returns the patch over its domain, and the largest distance by which a point of it moved, at equal parameters
 /// @throws InvalidShape if the continuity is not from 0 to 3, or rows are too few for it, the strength is not above 0, a
