@@ -6,7 +6,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import splinecore as sc
-from splinecore import build, fit
+from splinecore import build
 from test_sections import check
 
 TUBE = build.cylinder((0, 0, 0), (0, 0, 1), 1, 6)
@@ -191,90 +191,3 @@ def test_two_patches_through_infinity_together_are_refused():
         found = patch.sections(ball)
         check(patch, ball, found, 1e-5)
         assert found.closed.all()
-
-
-def wild_graph(rng, least=1):
-    """Of degrees up to 4; of degree 1 it has creases."""
-    degrees = [int(p) for p in rng.integers(least, 5, 2)]
-    knots = []
-    for p in degrees:
-        inner = np.linspace(0, 1, rng.integers(2, 8))[1:-1]
-        if len(inner) and p > 2 and rng.integers(3) == 0:
-            inner = np.sort(np.r_[inner, rng.choice(inner)])
-        knots.append(np.r_[[0.0] * (p + 1), inner, [1.0] * (p + 1)])
-    x, y = np.meshgrid(*(np.linspace(-1, 1, len(k) - p - 1) for k, p in zip(knots, degrees)), indexing="ij")
-    return sc.NurbsPatch(degrees, knots, np.stack([x, y, 10**rng.uniform(-1.5, 0) * rng.normal(size=x.shape)], -1))
-
-
-def little_motion(rng, angle):
-    little = np.eye(4)
-    little[:3, :3] = Rotation.from_rotvec(angle * rng.normal(size=3)).as_matrix()
-    little[:3, 3] = 0.3 * angle * rng.normal(size=3)
-    return little
-
-
-def fitted_wave(count):
-    x, y = np.meshgrid(*[np.linspace(-3, 3, count)] * 2, indexing="ij")
-    return fit.interpolate_patch(np.stack([x, y, np.cos(3 * x) * np.cos(2 * y)], -1)).value
-
-
-@pytest.mark.parametrize("count", [21, 61])
-def test_a_fitted_wave_and_a_copy_beside_it(count):
-    """By how much it is moved does not matter: as many curves, as long."""
-    wave, way = fitted_wave(count), np.array([0.36, 0.86, 0.35])
-    wanted = None
-    for angle in (1e-3, 1e-4, 1e-5):
-        moved, turned = np.eye(4), np.eye(4)
-        moved[:3, 3] = angle * way
-        turned[:3, :3] = Rotation.from_rotvec(angle * way).as_matrix()
-        for k, motion in enumerate((moved, turned)):
-            found = wave.sections(wave.transformed(motion), 0.01 * angle)
-            assert set(found.kinds) == {"crossing"} and not found.are_one and not len(found.points)
-            if angle == 1e-3:
-                wanted = (wanted or []) + [(len(found.curves), total_length(found))]
-            assert len(found.curves) == wanted[k][0]
-            assert total_length(found) == pytest.approx(wanted[k][1], rel=2e-3)
-
-
-def test_graphs_and_copies_as_near_as_can_be(inputs):
-    rng = np.random.default_rng(11)
-    for _ in range(inputs(1000)):
-        patch, angle = wild_graph(rng, 2), 10**rng.uniform(-6, -2)
-        copy = patch.transformed(little_motion(rng, angle))
-        found = patch.sections(copy, 0.01 * angle)
-        check(patch, copy, found, 0.011 * angle, 100)
-        other = copy.sections(patch, 0.01 * angle)
-        assert len(other.curves) == len(found.curves) and other.are_one == found.are_one
-        assert total_length(other) == pytest.approx(total_length(found), abs=1e-3 * max(1, total_length(found)))
-
-
-def part_of(rng, patch):
-    u, v = rng.uniform(0.05, 0.4, 2), rng.uniform(0.6, 0.95, 2)
-    part = patch.split("u", u[0])[1].split("u", v[0])[0].split("v", u[1])[1].split("v", v[1])[0]
-    return part.elevate("u") if rng.integers(2) else part
-
-
-def test_a_part_of_a_smooth_patch_is_one_with_it_up_to_its_borders(inputs):
-    rng = np.random.default_rng(12)
-    for _ in range(inputs(1000)):
-        patch = wild_graph(rng, 2)
-        part = part_of(rng, patch)
-        around = sum(part.boundary(side).length(tolerance=1e-7) for side in ("u_start", "u_end", "v_start", "v_end"))
-        for found in (patch.sections(part), part.sections(patch)):
-            assert found.are_one and set(found.kinds) == {"border"} and not len(found.points)
-            assert total_length(found) == pytest.approx(around, rel=1e-3)
-
-
-def test_a_part_of_a_creased_patch_is_one_with_it_or_refused(inputs):
-    rng = np.random.default_rng(13)
-    told = 0
-    for _ in range(inputs(200)):
-        patch = wild_graph(rng)
-        try:
-            found = patch.sections(part_of(rng, patch))
-        except sc.InvalidShape as refusal:
-            assert "nearly one" in str(refusal)
-            continue
-        told += 1
-        assert found.are_one
-    assert told

@@ -42,8 +42,7 @@ void BranchSearch::search(const CrossingPart& part) {
   if (part.size() <= smallest_) return on_contact({{part.a.piece, part.a.middle()}, {part.b.piece, part.b.middle()}});
   const std::optional<SectionPlace> seed = place_near_part(part, part.range(part.lead).middle());
   if (!seed) return halve(part);
-  if (!is_known(*seed)) {
-    on_seed(*seed);
+  if (!traced_.holds(*seed) && on_seed(*seed) == SeedFate::traced) {
     const std::vector<Interval> gaps = traced_.gaps(part);
     const bool is_new = gaps.size() != 1 || gaps.front() != part.range(part.lead);
     return is_new ? explore(part) : halve(part);
@@ -58,15 +57,13 @@ void BranchSearch::halve(const CrossingPart& part) {
   explore(second);
 }
 
-bool BranchSearch::is_known(const SectionPlace& place) const { return traced_.holds(place) || is_no_seed(place); }
-
 /// Whether the places of a part are on curves whose steps, by a rounding, are not in it.
 bool BranchSearch::is_known_all_along(const CrossingPart& part) const {
   constexpr int kLooks = 8;
   const Interval& range = part.range(part.lead);
   for (int i = 0; i <= kLooks; ++i) {
     const auto place = place_near_part(part, range.start + range.length() * i / kLooks);
-    if (place && part.holds(parameters_of(place->at)) && !is_known(*place)) return false;
+    if (place && part.holds(parameters_of(place->at)) && !traced_.holds(*place)) return false;
   }
   return true;
 }

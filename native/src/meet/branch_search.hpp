@@ -8,6 +8,12 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
+/// What is to be done with a place that two patches have in common.
+enum class SeedFate {
+  traced,   ///< the curve through it is known from now on
+  known,    ///< it was known before, or is not told from what is
+};
+
 /// Looks for all curves of parts of two patches that cross, until each part is proved to have no other.
 ///
 /// In such a part there is one place at most for each value of the leading parameter. So what known curves leave of its
@@ -19,10 +25,8 @@ class BranchSearch {
   BranchSearch(const TwoPatches& patches, const TracedSteps& traced, double smallest, double rounding)
       : patches_(patches), traced_(traced), smallest_(smallest), slack_(rounding) {}
 
-  /// Of a place in no curve that is known: whether none is to be traced from it.
-  std::function<bool(const SectionPlace&)> is_no_seed;
-  /// Called with others.
-  std::function<void(const SectionPlace&)> on_seed;
+  /// Called with places in no curve that is known.
+  std::function<SeedFate(const SectionPlace&)> on_seed;
   /// Called with places where patches are within the smallest size, which no curve goes through that is known by then.
   std::function<void(const PatchSpots&)> on_contact;
 
@@ -32,7 +36,6 @@ class BranchSearch {
   void search(const CrossingPart& part);
   bool are_heights_apart(const CrossingPart& part) const;
   void halve(const CrossingPart& part);
-  bool is_known(const SectionPlace& place) const;
   bool is_known_all_along(const CrossingPart& part) const;
   std::optional<SectionPlace> place_near_part(const CrossingPart& part, double of_lead) const;
 

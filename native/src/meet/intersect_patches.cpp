@@ -13,7 +13,6 @@
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
-#include "splinecore/base/errors.hpp"
 #include "splinecore/meet/sections.hpp"
 #include "traced_steps.hpp"
 
@@ -51,13 +50,11 @@ class SectionSearch {
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
     BranchSearch search(patches(), crossing_, smallest, rounding);
-    search.is_no_seed = [&](const SectionPlace& place) { return is_no_seed(place); };
-    search.on_seed = [&](const SectionPlace& seed) { trace(seed); };
+    search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
     for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
     const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
     const std::vector<SectionTrace> crossing = joined_traces(patches(), crossing_.traces(), is_end, tolerance_);
-    for (const SectionTrace& trace : crossing) require_ends(trace);
     Sections found;
     found.are_one = touching_.are_one();
     put(crossing, SectionKind::crossing, found);
@@ -86,57 +83,20 @@ class SectionSearch {
 
   bool is_point(const SectionTrace& trace) const { return !(length_of(trace) > tolerance_); }
 
-  /// Whether patches do not only touch along a curve: a line along which both go on with another curvature looks so.
-  bool is_in_one(const SectionTrace& trace) const {
-    return std::ranges::all_of(trace.places, [&](const SectionPlace& place) { return touching_.is_in_one(place.at); });
-  }
-
   void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
     for (const SectionTrace& trace : traces) {
-      if (is_point(trace) || (kind == SectionKind::touching && is_in_one(trace))) continue;
+      if (is_point(trace)) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
     }
   }
 
-  /// Whether the patches touch at a place, or are one there, or nearly, so that it is in no curve along which they cross.
-  bool is_no_seed(const SectionPlace& place) const {
-    return touching_.is_near(place.point, 4.0 * tolerance_) || touching_.runs_by(place) || is_near_touch(place) ||
-           touching_.is_in_one(place.at);
-  }
-
-  void trace(const SectionPlace& seed) {
+  SeedFate trace(const SectionPlace& seed) {
+    if (touching_.is_near(seed.point, 4.0 * tolerance_) || touching_.runs_by(seed)) return SeedFate::known;
+    if (is_near_touch(seed)) return SeedFate::known;
     const auto is_known = [&](const SectionPlace& place) { return crossing_.holds_along(place); };
-    constexpr std::size_t kMostOfAll = std::size_t{1} << 19;
-    const std::size_t left = kMostOfAll - std::min(crossing_.places(), kMostOfAll);
-    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known, std::min(kMostPlaces, left)}));
-  }
-
-  /// Of a curve that nothing told how to follow further: where the patches touch, or one has no normal, it ends.
-  void require_ends(const SectionTrace& trace) const {
-    if (trace.is_closed || is_point(trace)) return;
-    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
-      const SectionPlace& place = end == 0 ? trace.places.front() : trace.places.back();
-      if (trace.is_cut[end] && !may_end(place)) refuse_end(place);
-    }
-  }
-
-  bool may_end(const SectionPlace& place) const {
-    constexpr double kFlat = 0x1p-20;
-    const PatchMeeting here = meeting_at(patches(), place.at);
-    const auto is_flat = [](const Slopes<2>& s) {
-      return glm::length(glm::cross(s.first[0], s.first[1])) <= kFlat * glm::length(s.first[0]) * glm::length(s.first[1]);
-    };
-    const double sine = glm::length(here.along);
-    return is_touch_near(place.point) || is_flat(here.a) || is_flat(here.b) || sine * sine <= tolerance_ ||
-           touching_.is_in_one(place.at);
-  }
-
-  [[noreturn]] void refuse_end(const SectionPlace& place) const {
-    const auto text = [](const std::array<double, 2>& at) { return "u = " + text_of(at[0]) + ", v = " + text_of(at[1]); };
-    throw InvalidShape("a curve that the shapes have in common cannot be followed further from " +
-                       text(a_.parameters(place.at.a)) + " of the first one and " + text(b_.parameters(place.at.b)) +
-                       " of the second one: one is nearly folded there, or they nearly touch");
+    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known}));
+    return SeedFate::traced;
   }
 
   /// Whether patches touch near a point.
@@ -248,7 +208,7 @@ class SectionSearch {
     const bool is_on_curve = std::ranges::any_of(crossing_.traces(), [&](const SectionTrace& trace) {
       return !is_point(trace) && std::ranges::any_of(trace.places, is_here);
     });
-    if (is_on_curve || touching_.is_in_one(touch.at) || touching_.is_near(touch.point, kTolerancesOfTouch * tolerance_)) return;
+    if (is_on_curve || touching_.is_near(touch.point, kTolerancesOfTouch * tolerance_)) return;
     const glm::dvec3 out = space_.leave(touch.point);
     const double near = 4.0 * space_.length(tolerance_);
     const auto is_known = [&](const SectionPoint& other) { return distance_of(other.point, out) <= near; };

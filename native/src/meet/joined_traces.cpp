@@ -38,7 +38,6 @@ class TraceJoints {
     const std::vector<SectionPlace>& places = traces_[end / 2].places;
     return end % 2 == 0 ? places.front() : places.back();
   }
-  bool is_cut(std::size_t end) const { return traces_[end / 2].is_cut[end % 2]; }
   glm::dvec3 way_out(std::size_t end) const { return end % 2 == 0 ? -place(end).tangent : place(end).tangent; }
 
   /// Each end has one partner at most.
@@ -93,21 +92,17 @@ class TraceJoints {
 
   /// All that follows from an end, which is the first place.
   SectionTrace chain_from(std::size_t first) {
-    SectionTrace chain{{}, traces_[first / 2].is_closed, {is_cut(first), false}};
+    SectionTrace chain{{}, traces_[first / 2].is_closed};
     std::size_t end = first;
     while (true) {
       is_used_[end / 2] = true;
       append(chain.places, end);
       const std::optional<std::size_t> next = partners_[opposite(end)];
-      if (!next) {
-        chain.is_cut[1] = is_cut(opposite(end));
-        return chain;
-      }
+      if (!next) return chain;
       if (is_used_[*next / 2]) break;
       end = *next;
     }
     chain.is_closed = true;
-    chain.is_cut = {};
     settle(chain.places.back(), chain.places.front());
     return chain;
   }

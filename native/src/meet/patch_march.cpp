@@ -9,7 +9,6 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
-#include "step_error.hpp"
 
 namespace splinecore {
 
@@ -21,20 +20,21 @@ constexpr double kFirstStep = 0x1p-7;
 constexpr double kLeastStep = 0x1p-40;
 /// Places so near are one.
 constexpr double kSame = 0x1p-36;
+constexpr std::size_t kMostPlaces = std::size_t{1} << 18;
 
 /// One way along a curve.
 class March {
  public:
   March(const TwoPatches& patches, const SectionPlace& seed, double way, const MarchLimits& limits)
       : patches_(patches), seed_(seed), way_(way), contact_(limits.contact), touches_(limits.touches),
-        tolerance_(limits.tolerance), is_known_(limits.is_known), most_places_(limits.most_places) {
+        tolerance_(limits.tolerance), is_known_(limits.is_known) {
     trace_.places.push_back(turned(seed));
   }
 
   SectionTrace done() {
     while (step()) {
-      if (trace_.places.size() > most_places_) {
-        throw InvalidShape("curves that the shapes have in common have more than " + std::to_string(kMostPlaces) +
+      if (trace_.places.size() > kMostPlaces) {
+        throw InvalidShape("the curve that the shapes have in common has more than " + std::to_string(kMostPlaces) +
                            " places within the tolerance: it is too small");
       }
     }
@@ -97,29 +97,42 @@ class March {
     return foot ? std::optional(PatchSpots{foot->b, foot->a}) : std::nullopt;
   }
 
-  /// Where surfaces touch or are one, places have fewer digits: beside a border that a curve runs along it stays on that.
-  void settle(PatchSpots& at) const {
-    constexpr double kRounding = 0x1p-34;
-    if (contact_.kind == PatchContact::Kind::crossing) return;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double inside = std::clamp(at[i], 0.0, 1.0);
-      if (std::abs(at[i] - inside) <= kRounding) at[i] = inside;
-    }
-  }
-
   PatchSpots ahead(double length) const {
     PatchSpots at = last().at;
     for (std::size_t i = 0; i < 4; ++i) at[i] += length * last().slopes[i];
     return at;
   }
 
-  double error(const SectionStep& step) const { return error_of(patches_, step); }
-  bool bulges_out(const SectionStep& step) const { return leaves_pieces(patches_, step, tolerance_); }
+  /// By how much a step leaves the patches.
+  double error(const SectionStep& step) const {
+    double most = 0.0;
+    for (const double s : {0.15, 0.33, 0.5, 0.67, 0.85}) {
+      const glm::dvec3 point = step.point(s);
+      const PatchSpots at = step.spots(s);
+      most = std::max({most, glm::length(patches_.a.at(at.a, point).offset),
+                       glm::length(patches_.b.at(at.b, point).offset)});
+    }
+    return most;
+  }
+
+  /// Whether between its ends a step is beyond a side of its pieces by more than the tolerance.
+  bool bulges_out(const SectionStep& step) const {
+    for (const double s : {0.125, 0.25, 0.5, 0.75, 0.875}) {
+      const PatchSpots at = step.spots(s);
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double out = std::max(-at[i], at[i] - 1.0);
+        if (out <= 0.0) continue;
+        const Slopes<2> there = i < 2 ? patches_.a.at(at.a) : patches_.b.at(at.b);
+        if (out * glm::length(there.first[i % 2]) > tolerance_) return true;
+      }
+    }
+    return false;
+  }
 
   /// @returns whether the curve goes on
   bool step() {
     breathe(2048);
-    if (length_ < kLeastStep || is_lost_in_rounding()) return cut();
+    if (length_ < kLeastStep || is_lost_in_rounding()) return false;
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
@@ -127,7 +140,6 @@ class March {
     if (!at) return reach_side();
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
-    if (next) settle(next->at);
     if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return reach_side();
     const double far = glm::distance(next->point, last().point);
     if (far > 2.0 * length_ || far < 0.5 * length_) return reach_side();
@@ -161,13 +173,7 @@ class March {
 
   bool shorter(double share) {
     length_ *= share;
-    return length_ >= kLeastStep || turn_corner() || cut();
-  }
-
-  /// Nothing tells how the curve goes on. @returns false
-  bool cut() {
-    trace_.is_cut[1] = true;
-    return false;
+    return length_ >= kLeastStep || turn_corner();
   }
 
   /// Beside a side along which a piece is nearly folded the curve may turn within rounding: it goes on from a place
@@ -254,7 +260,6 @@ class March {
 
   /// The next place is beyond a side of a piece: to the first side, and to the piece beyond.
   bool leave(const PatchSpots& out) {
-    if (const auto i = side_to_go_on_by(out)) return cross_at_once(*i, out);
     std::optional<SectionPlace> first;
     std::size_t through = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -286,18 +291,6 @@ class March {
       trace_.places.back().at[through] = first->at[through];
     }
     return hop(through);
-  }
-
-  /// Of a curve that runs along a border, which by a rounding is beyond that, too: a side that it comes to, and goes on.
-  std::optional<std::size_t> side_to_go_on_by(const PatchSpots& out) const {
-    if (contact_.kind == PatchContact::Kind::crossing) return {};
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
-      const bool is_end = is_at_end(out[i]);
-      if (!is_on_face(i, out) || !runs_out(last(), i, is_end)) continue;
-      if (piece_of(i).beyond(piece_at(i), side(i, is_end))) return i;
-    }
-    return {};
   }
 
   static bool is_at_end(double out) { return out > 1.0; }
@@ -337,7 +330,6 @@ class March {
     PatchSpots start = last().at;
     for (std::size_t k = 0; k < 4; ++k) start[k] += share * (out[k] - start[k]);
     std::optional<PatchSpots> at = contact_near(patches_, start, contact_, last().tangent, OnFace{i, value});
-    if (at) settle(*at);
     if (!at || !enters(*at)) {
       start[i] = value;
       at = straight_on(start, i);
@@ -391,12 +383,11 @@ class March {
     PatchSpots at = last().at;
     const bool is_end = at[i] == 1.0;
     const auto next = piece_of(i).beyond(piece_at(i), side(i, is_end));
-    if (!next) return false;
-    if (++hops_ > kMostHops) return cut();
+    if (!next || ++hops_ > kMostHops) return false;
     (i < 2 ? at.a : at.b).piece = *next;
     at[i] = is_end ? 0.0 : 1.0;
     const std::optional<SectionPlace> there = place(at);
-    if (!there) return cut();
+    if (!there) return false;
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
     if (!runs_out(*there, i, is_end)) return false;
     if (is_known_ && is_known_(*there)) return false;
@@ -471,13 +462,12 @@ class March {
   std::span<const SectionTouch> touches_;
   double tolerance_;
   const std::function<bool(const SectionPlace&)>& is_known_;
-  std::size_t most_places_;
   std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> visits_;  ///< of each pair of pieces the places of entry
   double length_ = kFirstStep;
   double travelled_ = 0.0;
   int hops_ = 0;
   int corners_ = 0;
-  SectionTrace trace_{{}, false, {}};
+  SectionTrace trace_{{}, false};
 };
 
 }  // namespace
@@ -492,9 +482,9 @@ SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const M
     for (double& slope : place->slopes) slope = -slope;
     places.push_back(*place);
   }
-  if (back.is_closed) return {std::move(places), true, {}};
+  if (back.is_closed) return {std::move(places), true};
   places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
-  return {std::move(places), false, {back.is_cut[1], forward.is_cut[1]}};
+  return {std::move(places), false};
 }
 
 }  // namespace splinecore

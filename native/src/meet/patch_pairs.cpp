@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <string>
 
-#include "matched_parts.hpp"
 #include "section_place.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -18,8 +16,6 @@ namespace {
 /// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved: they are proved to
 /// be outside, or refused.
 constexpr double kNarrowAtInfinity = 0x1p-10;
-/// Of so small parts that cross in one line at most nobody asks whether they are one.
-constexpr double kSmallCrossing = 0x1p-8;
 constexpr std::size_t kMostPairs = std::size_t{1} << 20;
 constexpr std::size_t kPointsOfLowDegree = 64;
 constexpr std::size_t kMostWork = std::size_t{1} << 25;  ///< control points of all pairs together
@@ -52,22 +48,13 @@ class PatchPairSearch {
     if (are_apart(a, b, slack_)) return;
     if (is_lost(a) || is_lost(b)) refuse();
     if (const auto crossing = crossing_part(a, b)) return add(*crossing);
-    const std::optional<MatchedParts> matched = matched_parts(a, b, slack_);
-    if (matched && (matched->are_beside || matched->difference.are_apart(slack_))) return;
-    if (matched && is_on_side(patches_.a, a, matched->of_a) && is_on_side(patches_.b, b, matched->of_b)) return;
-    if (matched && is_less(matched->of_a, a.range, matched->of_b, b.range) && !is_thin(a, matched->of_a) &&
-        !is_thin(b, matched->of_b)) {
-      return narrow(a, b, *matched);
-    }
-    const std::optional<HeightDifference> difference =
-        matched ? std::optional(matched->difference) : height_difference(a, b, slack_);
+    const std::optional<HeightDifference> difference = height_difference(a, b, slack_);
     if (difference && difference->are_apart(slack_)) return;
     const auto crossing = difference ? crossing_part(a, b, *difference) : std::nullopt;
     if (crossing && is_deep(*difference)) return add(*crossing);
     if (a.is_boxed && b.is_boxed && is_known_(a, b)) return;
     const double size = std::max(a.largest_size(), b.largest_size());
     if (crossing && size <= kLargestOfTouch && difference->bend > kOneBend * tolerance_) return add(*crossing);
-    if (crossing && size <= kSmallCrossing) return add(*crossing);
     if (a.is_boxed && b.is_boxed && size <= smallest_size(difference, size)) {
       found_.touching.push_back({{a.piece, a.middle()}, {b.piece, b.middle()}});
       if (found_.touching.size() > kMostTouching) refuse();
@@ -77,59 +64,6 @@ class PatchPairSearch {
     const auto [first, second] = (halves_a ? a : b).halves();
     halves_a ? pair(first, b) : pair(a, first);
     halves_a ? pair(second, b) : pair(a, second);
-  }
-
-  /// Whether what may be in common is so much less than the parts.
-  static bool is_less(const RangesOfTwo& of_a, const RangesOfTwo& a, const RangesOfTwo& of_b, const RangesOfTwo& b) {
-    constexpr double kLess = 0.5;
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (of_a[k].length() < kLess * a[k].length() || of_b[k].length() < kLess * b[k].length()) return true;
-    }
-    return false;
-  }
-
-  void narrow(const PatchPart& a, const PatchPart& b, const MatchedParts& matched) {
-    pair(a.within(Axis::u, matched.of_a[0]).within(Axis::v, matched.of_a[1]),
-         b.within(Axis::u, matched.of_b[0]).within(Axis::v, matched.of_b[1]));
-  }
-
-  /// Whether all that counts of a part is a line, up to rounding.
-  bool is_thin(const PatchPart& part, const RangesOfTwo& kept, std::size_t k) const {
-    constexpr double kRoundings = 16.0;
-    constexpr double kLess = 0x1p-8;
-    const double share = kept[k].length() / part.range[k].length();
-    return share < kLess && share * part.size[k] <= kRoundings * slack_;
-  }
-  bool is_thin(const PatchPart& part, const RangesOfTwo& kept) const { return is_thin(part, kept, 0) || is_thin(part, kept, 1); }
-
-  /// Whether it is a side beyond which the patch goes on: then what is there is found beyond it, too.
-  bool is_on_side(const PatchPieces& pieces, const PatchPart& part, const RangesOfTwo& kept) const {
-    for (const Axis axis : {Axis::u, Axis::v}) {
-      const std::size_t k = axis == Axis::u ? 0 : 1;
-      if (!is_thin(part, kept, k)) continue;
-      for (const bool is_end : {false, true}) {
-        const double side = is_end ? part.range[k].end : part.range[k].start;
-        const double rest = std::abs((is_end ? kept[k].end : kept[k].start) - side);
-        if (rest <= kOnSide && goes_on(pieces, part, axis, is_end)) return true;
-      }
-    }
-    return false;
-  }
-
-  static bool goes_on(const PatchPieces& pieces, const PatchPart& part, Axis axis, bool is_end) {
-    const std::size_t k = axis == Axis::u ? 0 : 1;
-    const double side = is_end ? part.range[k].end : part.range[k].start;
-    if (side > 0.0 && side < 1.0) return true;
-    const auto next = pieces.beyond(part.piece, {axis, is_end});
-    if (!next) return false;
-    PatchSpot here{part.piece, part.middle()};
-    PatchSpot there{*next, part.middle()};
-    here.at[k] = side;
-    there.at[k] = 1.0 - side;
-    constexpr double kFolded = -0.5;
-    const glm::dvec3 before = pieces.at(here).first[k];
-    const glm::dvec3 behind = pieces.at(there).first[k];
-    return glm::dot(before, behind) > kFolded * glm::length(before) * glm::length(behind);
   }
 
   /// Whether surfaces cross at an angle that such that touch, or are one, within the tolerance have nowhere.

@@ -39,32 +39,12 @@ bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   const PartLook seen = look(a, b);
   if (seen.is_explained || (find_near(a, b) && look(a, b).is_explained)) return true;
   if (!seen.is_near || !is_one(a, b)) return false;
-  one_[a.piece].push_back({a.range, b.piece, b.range});
   // Where surfaces touch more closely in a point of a curve they are within the tolerance about it, and not one.
   constexpr double kSmall = 0x1p-6;
   if (std::max(a.largest_size(), b.largest_size()) < kSmall * std::min(patches_.a.extent(), patches_.b.extent())) return true;
   are_one_ = true;
   find_borders(a, b);
   return true;
-}
-
-bool TouchingCurves::is_in_one(const PatchSpots& at) const {
-  constexpr double kBeside = 0x1p-30;
-  if (!are_one_) return false;
-  const auto is_in = [](const std::array<Interval, 2>& box, const std::array<double, 2>& spot) {
-    return spot[0] >= box[0].start - kBeside && spot[0] <= box[0].end + kBeside && spot[1] >= box[1].start - kBeside &&
-           spot[1] <= box[1].end + kBeside;
-  };
-  const std::vector<PatchSpot> twins_b = patches_.b.twins(at.b, kBeside);
-  return std::ranges::any_of(patches_.a.twins(at.a, kBeside), [&](const PatchSpot& in_a) {
-    const auto parts = one_.find(in_a.piece);
-    if (parts == one_.end()) return false;
-    breathe(16 * parts->second.size());
-    return std::ranges::any_of(parts->second, [&](const OneParts& one) {
-      const auto is_b = [&](const PatchSpot& in_b) { return in_b.piece == one.piece_b && is_in(one.b, in_b.at); };
-      return is_in(one.a, in_a.at) && std::ranges::any_of(twins_b, is_b);
-    });
-  });
 }
 
 TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPart& b) const {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
-#include <map>
 #include <vector>
 
 #include "patch_march.hpp"
@@ -46,9 +44,6 @@ class TouchingCurves {
   bool are_one() const noexcept { return are_one_; }
   const std::vector<SectionTrace>& borders() const noexcept { return borders_; }
 
-  /// Whether a place lies in parts that are one: what crosses there is an edge that both have.
-  bool is_in_one(const PatchSpots& at) const;
-
   /// Whether they touch at a place, or a border of what they have in common is there.
   bool is_near(const glm::dvec3& point, double distance) const {
     return beads_.is_near(point, distance) || border_beads_.is_near(point, distance);
@@ -59,13 +54,6 @@ class TouchingCurves {
   struct PartLook {
     bool is_explained;  ///< it parts from a curve that is known, as surfaces do that touch there
     bool is_near;       ///< it is within the tolerance
-  };
-
-  /// Two parts that are one.
-  struct OneParts {
-    std::array<Interval, 2> a;
-    std::size_t piece_b;
-    std::array<Interval, 2> b;
   };
 
   PartLook look(const PatchPart& a, const PatchPart& b) const;
@@ -82,7 +70,6 @@ class TouchingCurves {
   std::vector<SectionTrace> traces_;
   std::vector<SectionTrace> borders_;
   bool are_one_ = false;
-  std::map<std::size_t, std::vector<OneParts>> one_;  ///< by pieces of the first patch
   BeadStrings beads_;
   BeadStrings border_beads_;
 };

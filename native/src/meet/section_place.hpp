@@ -49,7 +49,6 @@ inline constexpr double kLargestOfTouch = 0x1p-4;
 struct SectionTrace {
   std::vector<SectionPlace> places;
   bool is_closed;
-  std::array<bool, 2> is_cut{};  ///< whether nothing told how it goes on from its first place, and from its last one
 };
 
 /// The cubic between two places of the same pieces, and its images.

@@ -74,7 +74,6 @@ Interval settled_range(const CrossingPart& part, FourParameters first, FourParam
 }  // namespace
 
 void TracedSteps::add(SectionTrace trace) {
-  places_ += trace.places.size();
   traces_.push_back(std::move(trace));
   const std::vector<SectionPlace>& places = traces_.back().places;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {

@@ -18,7 +18,6 @@ class TracedSteps {
 
   void add(SectionTrace trace);
   const std::vector<SectionTrace>& traces() const noexcept { return traces_; }
-  std::size_t places() const noexcept { return places_; }
 
   /// Whether a place is on one of the curves.
   bool holds(const SectionPlace& place) const;
@@ -50,7 +49,6 @@ class TracedSteps {
   TwoPatches patches_;
   double tolerance_;
   std::vector<SectionTrace> traces_;
-  std::size_t places_ = 0;  ///< of all of them
   std::map<Pieces, std::vector<Step>> steps_;
 };
 

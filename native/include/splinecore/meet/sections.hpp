@@ -48,16 +48,14 @@ struct Sections {
 /// Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart, or their normals differ (Sinha,
 /// Klassen, Wang 1985; Sederberg and Meyers 1988) and one of the four parameters goes one way along what they have in
 /// common, so that each of its values has one place at most. Where patches nearly touch, the difference of their heights
-/// over a plane tells the same of larger parts: a quadratic polynomial, and bounds of what it leaves. Polynomial parts that run
-/// along each other are compared place by place, so that what both do alike is taken off exactly. What known curves
+/// over a plane tells the same of larger parts: a quadratic polynomial, and bounds of what it leaves. What known curves
 /// leave of the range of that parameter is looked at until hulls are apart there or Newton's method finds a place, from
 /// which a curve is followed, so that nothing is left. Where they touch the second derivatives of their distance tell along
 /// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
 /// come to others; such that go on in each other within the tolerance are one. Where patches are within the tolerance of
 /// each other about a point at which they touch, the point says so. S18.
 /// @param tolerance  none: 2^-20 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number; where a curve cannot be followed and nothing tells that it
-///         ends; after 2^18 places of one curve, or 2^19 of all; after 2^20 pairs, as where patches are nearly one, or run
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches are nearly one, or run
 ///         through infinity together; after 2^25 control points of pairs, as of wild patches of degrees above 25.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
