@@ -70,9 +70,8 @@ def test_what_was_made_keeps_its_own():
 def test_surfaces_and_what_is_added_take_it():
     bpy.context.scene.splinewright_tolerance.by = 'OWN'
     bpy.context.scene.splinewright_tolerance.own = 0.005
-    for operator in (bpy.ops.splinewright.add_helix, bpy.ops.splinewright.add_surface_formula):
-        assert op(operator) == {'FINISHED'}
-        assert tolerance_of(bpy.context.object) == 0.005
+    assert op(bpy.ops.splinewright.add_surface_formula) == {'FINISHED'}
+    assert tolerance_of(bpy.context.object) == 0.005
     activate(wave(3.0))
     assert op(bpy.ops.splinewright.add_pipe) == {'FINISHED'}
     assert tolerance_of(bpy.context.object) == 0.005

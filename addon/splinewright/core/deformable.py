@@ -37,7 +37,7 @@ def around(start, sweep, tolerance):
     factor, error = _of_spans(2 * math.pi / abs(step))
     count = spans if sweep is None else spans + _DEGREE
     angles = start + step * (np.arange(count) - 1)
-    points = factor * np.stack([np.cos(angles), np.sin(angles)], 1)
+    points = factor * np.stack([[function(angle) for angle in angles] for function in (math.cos, math.sin)], 1)
     if sweep is None:
         return Around(_LENGTH * np.arange(spans + 1) / spans, points, True, error)
     knots = _LENGTH * share * np.arange(-_DEGREE, spans + _DEGREE + 1) / spans

@@ -343,7 +343,8 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
     throw InvalidShape("parallel sections keep their size and turn: one section, without scale and twist");
   }
   constexpr double kHalf = 0.5 / kKinkShare;  // of the tolerance
-  if (const auto at = negligible > 0.0 ? hidden_turn(near, kHalf * negligible) : std::nullopt) {
+  constexpr double kLeastTurn = 0x1p-30;      // less a smooth rail may turn there
+  if (const auto at = negligible > 0.0 ? hidden_turn(near, std::max(kHalf * negligible, kLeastTurn)) : std::nullopt) {
     throw InvalidShape("the rail turns at " + text_of(*at) +
                        " within less than parameters can tell apart: remove knots that nearly coincide there, or make a corner of it");
   }
