@@ -40,13 +40,20 @@ def normals_at(patch, u, v):
     return np.cross(d[:, 1], d[:, 2])
 
 
-def turns_between(patch, one, other):
-    """The least cosine between normals one after the other on the line between two places."""
+def turns_between(patch, one, other, closer=3):
+    """The least cosine between normals one after the other on the line between two places, looked at closer where it is below 0: what
+    only turns sharply is no fold."""
     t = np.linspace(0, 1, 65)
-    normals = normals_at(patch, *(a + t * (b - a) for a, b in zip(one, other)))
+    places = [a + t * (b - a) for a, b in zip(one, other)]
+    normals = normals_at(patch, *places)
     lengths = np.linalg.norm(normals, axis=1)
-    normals = normals[lengths > 1e-9 * lengths.max()]
-    return np.cos(angles_within(normals[1:], normals[:-1])).min()
+    kept = lengths > 1e-9 * lengths.max()
+    turns = np.cos(angles_within(normals[kept][1:], normals[kept][:-1]))
+    least = int(turns.argmin())
+    if turns[least] >= 0 or not closer:
+        return turns[least]
+    u, v = (place[kept] for place in places)
+    return turns_between(patch, (u[least], v[least]), (u[least + 1], v[least + 1]), closer - 1)
 
 
 def angles_within(a, b):

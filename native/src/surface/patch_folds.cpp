@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -205,10 +206,11 @@ std::pair<FoldCell, FoldCell> halves(FoldCell cell, Axis axis) {
 struct DeepCell {
   FoldCell cell;
   int depth;
+  int apart;  ///< halvings since it has no corner of the patch
 };
 
 /// The four quarters, the one that turns most last.
-void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole) {
+void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole, bool has_corner) {
   std::array<std::pair<double, FoldCell>, 4> parts;
   auto [low, high] = halves(whole.cell, Axis::u);
   std::size_t next = 0;
@@ -219,7 +221,7 @@ void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole) {
   }
   for (auto& [turn, part] : parts) turn = corner_turn(part);
   std::ranges::stable_sort(parts, std::ranges::greater(), [](const auto& part) { return part.first; });
-  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1});
+  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1, has_corner ? 0 : whole.apart + 1});
 }
 
 glm::dvec3 point_at(const NurbsPatch& patch, double u, double v) {
@@ -255,7 +257,7 @@ std::optional<std::array<double, 2>> fold_within(const NurbsPatch& patch, const 
   constexpr int kMostInCorner = 48;
   constexpr int kCoarse = 2;
   constexpr std::size_t kMostCells = 0x1p14;
-  std::vector<DeepCell> left{{whole, 0}};
+  std::vector<DeepCell> left{{whole, 0, 0}};
   for (std::size_t seen = 0; !left.empty(); ++seen) {
     const DeepCell one = std::move(left.back());
     left.pop_back();
@@ -265,8 +267,9 @@ std::optional<std::array<double, 2>> fold_within(const NurbsPatch& patch, const 
     if (length > 0.0 && one.depth >= kCoarse && is_upright(one.cell, normal / length)) continue;
     const auto corner = corner_in(patch, one.cell);
     if (corner && is_small(patch, one.cell, *corner, tolerance)) continue;
-    if (one.depth >= (corner ? kMostInCorner : kMostHalvings) || seen == kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
-    add_quarters(left, one);
+    const bool is_deep = corner ? one.depth >= kMostInCorner : one.apart >= kMostHalvings;
+    if (is_deep || seen == kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
+    add_quarters(left, one, corner.has_value());
   }
   return {};
 }
@@ -297,6 +300,7 @@ std::vector<glm::dvec3> normals_along(const NurbsPatch& patch, Axis axis, double
 /// A place of a crease, among many in every span of it, beside which normals turn round more sharply than at its ends.
 std::optional<std::array<double, 2>> fold_at_creases(const NurbsPatch& patch, Axis axis) {
   constexpr int kInSpan = 24;
+  constexpr double kRounding = 1e-24;  // of the squares of lengths: less is no normal
   const KnotVector& knots = patch.knot_vector(axis);
   const KnotVector& other = patch.knot_vector(axis == Axis::u ? Axis::v : Axis::u);
   for (int i = 0; i + 1 < static_cast<int>(knots.spans().size()); ++i) {
@@ -306,9 +310,11 @@ std::optional<std::array<double, 2>> fold_at_creases(const NurbsPatch& patch, Ax
     const std::vector<glm::dvec3> before = normals_along(patch, axis, knot, along, Side::left);
     const std::vector<glm::dvec3> behind = normals_along(patch, axis, knot, along, Side::right);
     const double limit = crease_limit(patch, axis, knot);
+    const auto greatest_of = [](const std::vector<glm::dvec3>& all) { return std::ranges::max(all | std::views::transform(length_of)); };
+    const double noise = kRounding * greatest_of(before) * greatest_of(behind);
     for (std::size_t k = 0; k < along.size(); ++k) {
       const double lengths = length_of(before[k]) * length_of(behind[k]);
-      if (!(glm::dot(before[k], behind[k]) < limit * lengths)) continue;
+      if (lengths <= noise || !(glm::dot(before[k], behind[k]) < limit * lengths)) continue;
       return axis == Axis::u ? std::array{knot, along[k]} : std::array{along[k], knot};
     }
   }
