@@ -99,3 +99,12 @@ def test_what_it_made_lets_its_settings_be_changed_and_is_no_ground_to_do_it_aga
     bpy.ops.object.select_all(action='DESELECT')
     bpy.context.view_layer.objects.active = None
     assert not run_it.poll()
+
+
+def test_no_parameter_hides_a_method_of_its_operator():
+    """A property stands before a method of the same name: what calls it breaks in a window, where nothing else looks."""
+    table, bases = part('core.recipes.table'), [part(f'ui.operators.{name}') for name in ('from_objects', 'add_recipe')]
+    for cls in (cls for room in bases for cls in room.CLASSES):
+        names = {parameter.name for parameter in cls.recipe.parameters}
+        hidden = {name for name in names for base in cls.__mro__[1:] if callable(vars(base).get(name))}
+        assert not hidden and cls.recipe.kind in table.RECIPES, (cls.recipe.kind, hidden)

@@ -56,7 +56,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         others = [ob for ob in context.selected_objects if ob != context.object]
         if len(others) == 1 and not any(map(self.properties.is_property_set, ('source', 'make'))):
             self.source, self.make = others[0].name, 'COPIES'
-        return self.start(context)
+        return self.called(context)
 
     def tasks(self, context):
         self._source()

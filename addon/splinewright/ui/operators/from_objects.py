@@ -50,7 +50,7 @@ class _FromObjects(LongWork, Repeatable):
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
             hand.begin(self, _sources(context, self.recipe))
-        return self.start(context) if self.recipe.takes_cancel else self.execute(context)
+        return self.called(context) if self.recipe.takes_cancel else self.execute(context)
 
     def tasks(self, context):
         sources = _sources(context, self.recipe)

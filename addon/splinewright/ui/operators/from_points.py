@@ -36,8 +36,8 @@ class CurvesFromPoints(LongWork, Repeatable):
         """poll() in Object Mode."""
         return True
 
-    def start(self, context):
-        return super().start(context) if self.recipe.takes_cancel else self.execute(context)
+    def called(self, context):
+        return super().called(context) if self.recipe.takes_cancel else self.execute(context)
 
     def tasks(self, context):
         found = self.lines_of_objects(context) if context.mode == 'OBJECT' else _lines_of_vertices(context)

@@ -59,9 +59,9 @@ class LongWork:
         return result
 
     def invoke(self, context, event):
-        return self.start(context)
+        return self.called(context)
 
-    def start(self, context):
+    def called(self, context):
         """What invoke() returns."""
         if bpy.app.background or context.window is None:
             return self.execute(context)

@@ -36,9 +36,9 @@ class OnSelected:
 
     def invoke(self, context, event):
         self.by_hand = True
-        return self.start(context)
+        return self.called(context)
 
-    def start(self, context):
+    def called(self, context):
         """What invoke() returns."""
         return self.execute(context)
 
