@@ -143,3 +143,41 @@ def test_the_axis_is_that_on_whose_plane_a_border_lies(axis):
     points = np.roll(patch.points + [0, 5, 7], 'xyz'.index(axis), axis=-1)
     turned = sc.PatchSet.from_patches([patch.with_points(points)])
     assert MIRROR.first_values([definitions.from_value(turned)]) == {'axis': axis}
+
+
+@pytest.mark.parametrize('exponent', (-150, -30, 0, 30, 150))
+def test_any_size_is_mirrored_alike(exponent):
+    size = 10.0 ** exponent
+    patch = random_patch(1.0, 0.3)
+    made = mirrored(sc.PatchSet.from_patches([patch.with_points(size * patch.points)]), gap=1e-3 * size)
+    half, image = verbs.pieces_of(made.definition)
+    assert made.said.startswith("1 border on the plane") and not made.said.endswith("crosses the plane")
+    assert (image.points == half.points.swapaxes(0, 1) * [-1, 1, 1]).all()
+    assert MIRROR.first_values([definitions.from_value(sc.PatchSet.from_patches([half]))]) == {'axis': 'x'}
+
+
+def smooth_across(half, image, side, image_side):
+    seam = sc.seam_continuity(half, side, image, image_side)
+    return seam.gap == 0.0 and seam.g >= 2
+
+
+def test_the_far_border_of_a_ruled_surface_stays():
+    ruled = sc.NurbsPatch((1, 2), ([0, 0, 1, 1], [0, 0, 0, 1, 1, 1]), [[(0, 0, 0), (0, 1, 1), (0, 2, 0)], [(1, 0.5, 2), (2, 1, 3), (1, 3, 2)]])
+    half, image = verbs.pieces_of(mirrored(sc.PatchSet.from_patches([ruled])).definition)
+    v = np.linspace(0, 1, 30)
+    assert half.boundary('u_end').nearest(ruled.evaluate(np.ones(30), v)).distances.max() < 1e-12
+    assert smooth_across(half, image, 'u_start', 'v_start')
+
+
+def test_a_surface_between_two_borders_on_the_plane_is_smooth_at_both():
+    bridge = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 1, 1], [0, 0, 1, 1]), [[(0, 0, 0), (0, 0, 2)], [(2, 1, 0.5), (2, 1.5, 2)], [(0, 3, 0), (0, 3.5, 2)]])
+    made = mirrored(sc.PatchSet.from_patches([bridge]))
+    half, image = verbs.pieces_of(made.definition)
+    assert made.said.startswith("2 borders on the plane")
+    assert smooth_across(half, image, 'u_start', 'v_start') and smooth_across(half, image, 'u_end', 'v_end')
+
+
+def test_a_parabola_between_two_ends_on_the_plane_is_closed_smoothly():
+    made = mirrored(sc.BezierCurve([(0, 0, 0), (2, 1, 0), (0, 2, 0)])).value
+    ends = [made.derivatives(at, 1)[1] for at in made.domain]
+    assert all(abs(slope[1:]).max() < 1e-12 * abs(slope[0]) for slope in ends)

@@ -8,6 +8,8 @@ from . import verbs
 from .failures import Refusal
 from .library import sc
 
+#: Heights below this part of the largest one are rounding.
+_ROUNDING = 1e-12
 #: Weights of two rows differ by one factor if they do so up to this part.
 _SAME = 1e-9
 _SIDES = ((0, 0), (0, -1), (1, 0), (1, -1))     # of the axes u and v: the first row and the last one
@@ -49,7 +51,7 @@ def mirrored(definition, plane, gap, is_smooth):
     most = heights[np.abs(heights).argmax()]
     join = _joined_curves if definition.has_curves else _both_patches
     return Mirrored([piece for half in halves for piece in join(half, plane)], sum(len(half.rows) for half in halves),
-                    max(half.moved for half in halves), int((np.sign(most) * heights < -max(gap, 1e-12)).sum()))
+                    max(half.moved for half in halves), int((np.sign(most) * heights < -max(gap, _ROUNDING * abs(most))).sum()))
 
 
 class _Half(NamedTuple):
@@ -75,16 +77,25 @@ def _heights(halves, plane):
 
 def _half(piece, plane, gap, is_smooth):
     clamped = _clamped(piece)
+    rows = [(axis, i) for axis, i in _SIDES if axis < clamped.points.ndim - 1 and not _is_periodic(clamped, axis)
+            and _is_near(_row(clamped.points, axis, i), _row(clamped.weights, axis, i), plane, gap)]
+    clamped = _with_rows_beside(clamped, rows) if is_smooth else clamped
     points, weights = clamped.points.copy(), clamped.weights
-    count = points.ndim - 1
-    rows = [(axis, i) for axis, i in _SIDES if axis < count and not _is_periodic(clamped, axis)
-            and _is_near(_row(points, axis, i), _row(weights, axis, i), plane, gap)]
     for axis, i in rows:
         _row(points, axis, i)[...] = plane.on(_row(points, axis, i))
     for axis, i in rows if is_smooth else ():
         _straighten(points, weights, axis, i, plane)
     moved = float(np.linalg.norm(points - clamped.points, axis=-1).max())
     return _Half(clamped.with_points(points) if rows else piece, rows, moved)
+
+
+def _with_rows_beside(piece, rows):
+    """Raised in degree until each row on the plane has one beside it for itself, which is on no other border."""
+    for axis in {axis for axis, _ in rows}:
+        missing = 2 + [other for other, _ in rows].count(axis) - piece.points.shape[axis]
+        if missing > 0:
+            piece = piece.elevate(missing) if isinstance(piece, sc.NurbsCurve) else piece.elevate('uv'[axis], missing)
+    return piece
 
 
 def _is_periodic(piece, axis):

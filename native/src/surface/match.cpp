@@ -239,16 +239,18 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   for (auto& row : before.rows) row = scaled(factor, std::move(row));
   LeavingRows out;
   for (int k = 1; k <= options.continuity; ++k) out.push_back(derivative_out(onto, k));
-  double pace = out.empty() ? 1.0 : options.strength * own_pace(before, edge, out);
+  const double own = out.empty() ? 1.0 : own_pace(before, edge, out);
+  double pace = out.empty() ? 1.0 : options.strength * own;
   MovingRows moved = moved_least(before, edge, out, options.strength, must, may);
   constexpr double kKept = 0.125;  // of the least weight: with less, points are far off, and lose digits
   constexpr double kMostBeside = 1.5;  // of the way out, or what there was: with more, rows shoot out beyond all that is beside them
   const double least = kKept * least_weight(before);
-  const auto beside_before = [&] { return overshoot(before.across, before.rows, scaled(own_pace(before, edge, out), out.front()), must); };
-  const double most_beside = out.size() < 2 || !(least > 0.0) ? 0.0 : std::max(kMostBeside, beside_before());
+  const auto beside = [&](const MovingRows& one, double at_pace) {
+    return out.size() < 2 ? 0.0 : overshoot(one.across, one.rows, scaled(at_pace, out.front()), must);
+  };
+  const double most_beside = least > 0.0 ? std::max(kMostBeside, beside(before, own)) : kMostBeside;
   const auto are_kept = [&](const MovingRows& one, double at_pace) {
-    if (least_weight(one) < least) return false;
-    return out.size() < 2 || overshoot(one.across, one.rows, scaled(at_pace, out.front()), must) <= most_beside;
+    return least_weight(one) >= least && beside(one, at_pace) <= most_beside;
   };
   if (!(least > 0.0) || are_kept(moved, out.empty() ? pace : own_pace(moved, edge, out))) return patch_of(moved);
   moved = moved_onto(before, edge, out, pace, must, may);

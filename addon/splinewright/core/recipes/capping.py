@@ -5,7 +5,7 @@ import numpy as np
 from .. import decimals, sections
 from ..failures import Refusal
 from ..library import sc
-from .recipe import Parameter, Result
+from .recipe import Parameter, of_patches
 
 #: Which ends a recipe closes, as a parameter of it.
 CHOICES = (("none", "None", "Both ends stay open"), ("start", "Start", "Close the end where it starts"),
@@ -19,7 +19,7 @@ def result(patches, caps, error=0.0, said="", cancel=None):
     """The Result of patches, each with its own ends, of which `caps` are closed: 'none', 'start', 'end' or 'both'. Raises Refusal
     or an error of the library."""
     if caps == 'none':
-        return Result(_value(patches), error, said)
+        return of_patches(patches, error, said)
     made, bends, left_open, rims = [], [], set(), []
     for patch in patches:
         ends = _ends(patch, len(patches) > 1)
@@ -33,17 +33,13 @@ def result(patches, caps, error=0.0, said="", cancel=None):
         bends.append(bend)
     _require_apart(rims)
     told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open), *bend_in_words(max(bends))]
-    return Result(_value(made), error, ", ".join(filter(None, told)))
+    return of_patches(made, error, ", ".join(filter(None, told)))
 
 
 def bend_in_words(bend):
     """That rims are in no plane."""
     if bend > 0.0:
         yield f"a rim is up to {decimals.text_of(bend, 2)} off a plane: its cap is not flat"
-
-
-def _value(patches):
-    return patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches)
 
 
 def _ends(patch, is_one_of_several):

@@ -1,11 +1,12 @@
 """A shape and its image in a plane, live."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from .. import decimals, mirroring
 from ..failures import Refusal
-from ..library import sc
-from .recipe import Parameter, Recipe, Result
+from .recipe import Parameter, Recipe, Result, of_patches
 from .surface_recipes import AXIS, axis_of
 
 #: Ends and borders this near to a plane, as a part of the size, lie on it when it is looked for.
@@ -17,11 +18,9 @@ def _mirror(inputs, axis, gap, smooth, frame=None):
     point, direction = axis_of(axis, (0.0, 0.0, 0.0), frame)
     plane = mirroring.Plane(point, direction / np.linalg.norm(direction))
     found = mirroring.mirrored(definition, plane, gap, smooth)
-    if definition.has_curves:
-        value = found.pieces if len(found.pieces) > 1 else found.pieces[0]
-    else:
-        value = sc.PatchSet.from_patches(found.pieces)
-    return Result(value, 0.0, _said(found, "end" if definition.has_curves else "border", gap))
+    if not definition.has_curves:
+        return of_patches(found.pieces, said=_said(found, "border", gap))
+    return Result(found.pieces if len(found.pieces) > 1 else found.pieces[0], 0.0, _said(found, "end", gap))
 
 
 def _said(found, noun, gap):
@@ -45,8 +44,9 @@ RECIPES = (
     Recipe("mirror", "Mirror",
            "A curve or surface and its image in a plane, as one shape: ends and borders on the plane are joined, and go on smoothly "
            "across it; it follows the half",
-           (AXIS, Parameter("gap", "Merge Distance", "How far ends and borders may lie from the plane to be taken onto it", 1e-3, 0.0,
-                            unit='LENGTH'),
+           (replace(AXIS, description="Across which the plane lies: of the plane object, or its own, through the origin"),
+            Parameter("gap", "Merge Distance", "How far ends and borders may lie from the plane to be taken onto it", 1e-3, 0.0,
+                      unit='LENGTH', of_scene=True),
             Parameter("smooth", "Smooth Across", "Move points beside the plane so that tangent planes and curvatures (G2) go on "
                       "across it", True)),
            _mirror, is_surface=True, resolution=12, inputs=("one curve or surface",), frame="Plane", first_values=_first_values),

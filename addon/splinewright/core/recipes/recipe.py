@@ -6,6 +6,7 @@ from typing import Callable, NamedTuple
 import numpy as np
 
 from .. import definition as definitions
+from ..library import sc
 
 
 @dataclass(frozen=True)
@@ -113,6 +114,11 @@ class Recipe:
     def start_for(self, values):
         """start, or as many of them as these values of the parameters ask for."""
         return self.start[:self.count_for(values)] if self.count_for else self.start
+
+
+def of_patches(patches, error=0.0, said=""):
+    """The Result that is a patch, or several as one."""
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said)
 
 
 def share_of_size(definition, share):

@@ -8,7 +8,7 @@ from .. import decimals, holes, lofts, neighbours, rails, rims, sections, verbs
 from ..failures import Refusal
 from ..library import sc
 from . import capping
-from .recipe import Parameter, Recipe, Result
+from .recipe import Parameter, Recipe, Result, of_patches
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
                        unit='LENGTH', of_scene=True)
@@ -98,7 +98,7 @@ def _pipe(inputs, radius, end_radius, own_radius, caps, capped, tolerance, facto
     made = sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel)
     left_out = {'both': (), 'start': (2,), 'end': (1,)}[capped]
     patches = [patch for i, patch in enumerate(made.value) if i not in left_out]
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), made.error)
+    return of_patches(patches, made.error)
 
 
 def _first_radii(inputs):
@@ -138,7 +138,7 @@ def _filling(inputs, continuity, other, tolerance, cancel=None):
         patches = list(rims.filled(curves, cancel).value)
     except sc.InvalidShape as error:
         raise refused or Refusal(f"{error}: nothing within it would be plane without a fold") from error
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), 0.0, "plane")
+    return of_patches(patches, 0.0, "plane")
 
 
 def _sides_around(shapes, continuity, other, tolerance):
@@ -151,7 +151,7 @@ def _of_sides(sides, tolerance, cancel):
     found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
     said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), found.gap, said)
+    return of_patches(patches, found.gap, said)
 
 
 def _degrees(angle):

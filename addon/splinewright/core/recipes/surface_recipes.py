@@ -11,7 +11,7 @@ from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
 from .conic_recipes import DEVIATION
-from .recipe import Result, Parameter, Recipe, share_of_size
+from .recipe import Result, Parameter, Recipe, of_patches, share_of_size
 
 _RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGTH')
@@ -54,7 +54,7 @@ def _cone(points, radius, top_radius, height, start, sweep, caps):
         # The lower cap runs from its middle out, so that its normal points down.
         patches += [sc.build.disc(low, _UP, radius, *around).reversed('v')] if radius else []
         patches += [sc.build.disc(high, _UP, top_radius, *around)] if top_radius else []
-    return _patches(patches)
+    return of_patches(patches)
 
 
 def _sphere(points, radius, start, sweep):
@@ -78,10 +78,6 @@ def _curves(definition):
         raise Refusal("it is made of patches: a curve is needed")
     value = definitions.to_value(definition)
     return value if isinstance(value, list) else [value]
-
-
-def _patches(patches):
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches))
 
 
 def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, deformable, tolerance, caps, frame=None):
@@ -117,7 +113,7 @@ def _ruled(inputs, turned):
     first, second = map(_curves, inputs)
     if len(first) != len(second):
         raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
-    return _patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
+    return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
 
 
 PRIMITIVES = (

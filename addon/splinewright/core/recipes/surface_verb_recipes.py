@@ -5,7 +5,7 @@ import math
 from .. import decimals, patch_joints, verbs
 from ..library import sc
 from .meeting_recipes import patches_of
-from .recipe import Parameter, Recipe, Result, share_of_size
+from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
                        unit='LENGTH', of_scene=True)
@@ -22,10 +22,6 @@ def _side(name, label, whose):
 
 def _continuity(text):
     return Parameter("continuity", "Continuity", text, "G2", choices=_CONTINUITIES)
-
-
-def _as_result(patches, error=0.0, said=""):
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said)
 
 
 def _sides(inputs, first_side, second_side):
@@ -67,12 +63,12 @@ def _rounded(inputs, radius, end_radius, first_side, second_side, tolerance, can
     start, end = a.domain[1 if side_a.startswith('u') else 0]
     radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
     found = sc.build.fillet_patches(a, side_a, b, side_b, radii, tolerance=tolerance, cancel=cancel)
-    return _as_result([found.first, found.fillet, found.second], found.error)
+    return of_patches([found.first, found.fillet, found.second], found.error)
 
 
 def _offset(inputs, distance, tolerance, cancel=None):
     made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in patches_of(inputs[0])]
-    return _as_result([one.value for one in made], max(one.error for one in made))
+    return of_patches([one.value for one in made], max(one.error for one in made))
 
 
 def _first_distance(inputs):
@@ -84,14 +80,14 @@ def _thickened(inputs, distance, middle, piece, tolerance, cancel=None):
     verbs.require_piece(patches, piece)
     start = -0.5 * distance if middle else 0.0
     found = sc.build.thicken(patches[piece - 1], start, start + distance, tolerance=tolerance, cancel=cancel)
-    return _as_result(list(found.value), found.error)
+    return of_patches(list(found.value), found.error)
 
 
 def _extended(inputs, side, length, how, piece):
     patches = patches_of(inputs[0])
     verbs.require_piece(patches, piece)
     patches[piece - 1] = sc.build.extend_patch(patches[piece - 1], side, length, how)
-    return _as_result(patches)
+    return of_patches(patches)
 
 
 def _of_mesh(inputs, cancel=None):
@@ -103,7 +99,7 @@ def _of_mesh(inputs, cancel=None):
         said += f", {irregular} of them about extraordinary points, angle {_short(math.degrees(found.angle))}° between them"
     if polygons.has_creases:
         said += "; creases count as smooth"
-    return _as_result(list(found.patches), 0.0, said)
+    return of_patches(list(found.patches), 0.0, said)
 
 
 def _distance(label, text):

@@ -4,8 +4,9 @@ import bpy
 from bpy.props import EnumProperty
 
 from ...bridge import keyed, recipes, replacing
-from ...core import caps, decimals
+from ...core import caps
 from ...core.failures import Refusal
+from ...core.recipes import capping
 from . import reports
 from .selected import OnSelected
 
@@ -55,7 +56,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
             count = sum(one.count for one in found)
             more.append(f"{count} end{'s' if count > 1 else ''} closed")
             bend = max(one.bend for one in found)
-            more += [f"a rim is up to {decimals.text_of(bend, 2)} off a plane: its cap is not flat"] if bend > 0.0 else []
+            more += capping.bend_in_words(bend)
             more += ["normals turned outwards"] if any(one.is_turned for one in found) else []
         return reports.Said(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
 
