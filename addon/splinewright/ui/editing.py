@@ -143,8 +143,13 @@ def show_in_local_views(manager):
     for space in spaces:
         for held in nets() if space.local_view else ():
             owner = net_object.shape_of(held)
-            if held.mode == 'EDIT' and held.local_view_get(space) and owner and not owner.local_view_get(space):
+            if held.mode == 'EDIT' and held.visible_get(viewport=space) and _is_left_behind(owner, space):
                 owner.local_view_set(space, True)
+
+
+def _is_left_behind(ob, space):
+    """Whether an object is hidden by the local view of a space alone. Blender 3.4's local_view_get() is always false."""
+    return ob is not None and ob.visible_get() and not ob.visible_get(viewport=space)
 
 
 def _brought_back(context, held):

@@ -49,5 +49,5 @@ RECIPES = (
                       unit='LENGTH', of_scene=True),
             Parameter("smooth", "Smooth Across", "Move points beside the plane so that tangent planes and curvatures (G2) go on "
                       "across it", True)),
-           _mirror, is_surface=True, resolution=12, inputs=("one curve or surface",), frame="Plane", first_values=_first_values),
+           _mirror, is_surface=True, covers_inputs=True, resolution=12, inputs=("one curve or surface",), frame="Plane", first_values=_first_values),
 )

@@ -51,6 +51,7 @@ class Recipe:
     has_any_count: bool = False         # of points
     resolution: int = 32
     is_surface: bool = False            # it makes patches
+    covers_inputs: bool = False         # what it makes lies where they do: they are hidden unless that is not wanted
     count_for: Callable | None = None   # (values) -> how many of the points to start from
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of

@@ -191,7 +191,7 @@ def _class_for(recipe):
         annotations['frame'] = StringProperty(name=recipe.frame, options={'SKIP_SAVE'}, description=(
             "Object whose place and axes count in place of the profile's own: at first what is selected beside the profile"))
     if recipe.is_surface:
-        annotations['hide_inputs'] = BoolProperty(name="Hide Inputs", default=False, options={'SKIP_SAVE'}, description=(
+        annotations['hide_inputs'] = BoolProperty(name="Hide Inputs", default=recipe.covers_inputs, options={'SKIP_SAVE'}, description=(
             "Hide what it is made from, as H does: Show Inputs in its panel brings that back, and the shape goes on following"))
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     faces = (new_shapes.Faces,) if recipe.is_surface else ()
