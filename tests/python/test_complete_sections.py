@@ -289,3 +289,34 @@ def test_what_goes_in_a_little_crosses_twice(depth):
     for found, length in ((beside, 4), (plane, 6)):
         assert found.kinds == ("crossing", "crossing")
         assert [curve.length() for curve in found.curves] == pytest.approx([length] * 2, abs=1e-6)
+
+
+def bowl(middle, radii):
+    """The graph of ((x - a) / r)² + ((y - b) / s)² over the unit square."""
+    squares = [np.array([c * c, c * c - c, 1 - 2 * c + c * c]) / r**2 for c, r in zip(middle, radii)]
+    x = np.array([0.0, 0.5, 1.0])
+    points = np.stack([*np.meshgrid(x, x, indexing="ij"), squares[0][:, None] + squares[1]], -1)
+    return sc.NurbsPatch((2, 2), ([0, 0, 0, 1, 1, 1],) * 2, points)
+
+
+def around_ellipse(radii):
+    t = np.linspace(0, 2 * np.pi, 20001)
+    return np.linalg.norm(np.diff(np.c_[radii[0] * np.cos(t), radii[1] * np.sin(t)], axis=0), axis=1).sum()
+
+
+@pytest.mark.parametrize("as_patch", [False, True])
+def test_loops_that_touch_knot_lines_are_gone_round_once(inputs, as_patch):
+    """Of one to four knot lines, from within, through them or beside them by less than the tolerance and by more."""
+    rng = np.random.default_rng(20261129)
+    beside = [0, 0] + [sign * 10.0**power for power in (-16, -12, -9, -6, -3) for sign in (1, -1)]
+    plane = sc.BezierPatch([[(-1, -1, 1), (-1, 2, 1)], [(2, -1, 1), (2, 2, 1)]])
+    for index in range(inputs(1000)):
+        middle, radii = rng.uniform(0.4, 0.6, 2), rng.uniform(0.05, 0.35, 2)
+        patch = bowl(middle, radii)
+        sides = [("uv"[axis], middle[axis] + sign * radii[axis]) for axis in (0, 1) for sign in (-1, 1)]
+        for k in rng.permutation(4)[: int(rng.integers(1, 5))]:
+            axis, at = sides[k]
+            patch = patch.insert_knot(axis, at + rng.choice(beside))
+        found = patch.sections(plane) if as_patch else patch.plane_sections((0, 0, 1), (0, 0, 1))
+        assert len(found.curves) == 1 and not len(found.points), index
+        assert found.curves[0].length() == pytest.approx(around_ellipse(radii), rel=3e-5), index

@@ -9,6 +9,7 @@
 
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
+#include "touching_place.hpp"
 
 namespace splinecore {
 
@@ -26,7 +27,7 @@ constexpr std::size_t kMostPlaces = std::size_t{1} << 18;
 class March {
  public:
   March(const TwoPatches& patches, const SectionPlace& seed, double way, const MarchLimits& limits)
-      : patches_(patches), seed_(seed), way_(way), contact_(limits.contact), touches_(limits.touches),
+      : patches_(patches), way_(way), contact_(limits.contact), touches_(limits.touches),
         tolerance_(limits.tolerance), is_known_(limits.is_known) {
     trace_.places.push_back(turned(seed));
   }
@@ -42,6 +43,12 @@ class March {
   }
 
  private:
+  /// Where the curve came into a pair of pieces.
+  struct Visit {
+    std::size_t place;
+    double travelled;
+  };
+
   const SectionPlace& last() const { return trace_.places.back(); }
 
   SectionPlace turned(SectionPlace place) const {
@@ -52,41 +59,12 @@ class March {
   }
 
   std::optional<SectionPlace> place(const PatchSpots& at) const {
-    if (contact_.kind != PatchContact::Kind::crossing) return touching_place(at);
+    if (contact_.kind != PatchContact::Kind::crossing) {
+      return touching_place(patches_, at, contact_, last().tangent, tolerance_);
+    }
     auto found = section_place(patches_, at);
     if (found) found = turned(*found);
     return found;
-  }
-
-  /// A place of surfaces that are one there, up to the tolerance, on the way that the last one goes.
-  std::optional<SectionPlace> touching_place(const PatchSpots& at) const {
-    const PatchMeeting here = meeting_at(patches_, at);
-    if (here.distance() > tolerance_) return {};
-    std::optional<glm::dvec3> way;
-    if (contact_.kind == PatchContact::Kind::grazing) {
-      way = way_of_touch(here);
-    } else {
-      const std::size_t other = contact_.border.parameter ^ 1U;
-      const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];
-      if (glm::length(slope) > 0.0) way = glm::normalize(slope);
-    }
-    if (!way) return {};
-    if (glm::dot(*way, last().tangent) < 0.0) way = -*way;
-    SectionPlace found{at, here.a.point + 0.5 * here.b.offset, *way, slopes_along(here, *way)};
-    if (contact_.kind == PatchContact::Kind::border) found.slopes[contact_.border.parameter] = 0.0;
-    return found;
-  }
-
-  /// The tangent of a curve of touch. Where patches part so little, as a tube and the bend that it goes on in do at two
-  /// points of their circle, that nothing tells, the curve goes on straight.
-  std::optional<glm::dvec3> way_of_touch(const PatchMeeting& here) const {
-    constexpr double kWeak = 0x1p-6;
-    const std::optional<Parting> parting = parting_at(here);
-    if (!parting) return {};
-    if (is_curve(*parting)) return parting->way;
-    if (std::abs(parting->across) > kWeak) return {};
-    const glm::dvec3 flat = last().tangent - glm::dot(last().tangent, here.normal_a) * here.normal_a;
-    return glm::length(flat) > kTurn ? std::optional(glm::normalize(flat)) : std::nullopt;
   }
 
   /// The place of a face that a curve of touch comes to going straight on, if patches are within the tolerance there.
@@ -182,7 +160,7 @@ class March {
     constexpr int kMostCorners = 4;
     if (contact_.kind != PatchContact::Kind::crossing || corners_ == kMostCorners) return false;
     if (!crosses_plainly(last())) return false;
-    const std::size_t i = fastest(last());
+    const std::size_t i = last().fastest();
     const bool is_rising = last().slopes[i] > 0.0;
     const double room = is_rising ? 1.0 - last().at[i] : last().at[i];
     for (double share = 1.0; share * room > kOnSide; share *= 0.5) {
@@ -212,14 +190,6 @@ class March {
     return glm::length(meeting_at(patches_, place.at).along) >= kLeastSine;
   }
 
-  static std::size_t fastest(const SectionPlace& place) {
-    std::size_t found = 0;
-    for (std::size_t i = 1; i < 4; ++i) {
-      if (std::abs(place.slopes[i]) > std::abs(place.slopes[found])) found = i;
-    }
-    return found;
-  }
-
   bool take(const SectionPlace& next) {
     const SectionStep step(last(), next);
     const double off = error(step);
@@ -235,27 +205,48 @@ class March {
     return true;
   }
 
-  /// Where a step passes the place that the curve was begun at it ends.
+  /// Where a step passes the place that the curve was begun at, or one at which it came into a piece before, it ends:
+  /// of a loop that lies along a side of a piece no step need come into the piece that it was begun in.
   bool closes(const SectionStep& step) {
     if (!(travelled_ > kSame)) return false;
-    const double along = glm::dot(seed_.point - step.from.point, step.from.tangent);
-    if (along < -kSame || along > glm::dot(step.to.point - step.from.point, step.from.tangent) + kSame) return false;
-    const SectionPlace end = turned(seed_);
-    if (glm::dot(end.tangent, step.from.tangent) < kTurn) return false;
-    if (seed_.has_pieces_of(step.to)) {
-      constexpr double kBeside = 0.05;
-      const glm::dvec3 beside = step.point(std::clamp(along / step.length, 0.0, 1.0));
-      if (glm::distance(beside, seed_.point) > kBeside * step.length + kSame) return false;
-      if (error(SectionStep(step.from, end)) > tolerance_) return false;
-      trace_.places.push_back(end);
-    } else {
-      // It was begun on the side of a piece that the curve does not run in.
-      const bool is_at_start = glm::distance(step.from.point, seed_.point) <= kSame;
-      if (!is_at_start && glm::distance(step.to.point, seed_.point) > kSame) return false;
-      if (!is_at_start) trace_.places.push_back(step.to);
+    if (const auto before = passed_before(step)) {
+      end_at_itself(*before);
+      return true;
     }
-    trace_.is_closed = true;
-    return true;
+    const SectionPlace& begin = trace_.places.front();
+    if (begin.has_pieces_of(step.to) || !goes_along(step, begin)) return false;
+    // It was begun on the side of a piece that the curve does not run in.
+    const bool is_at_start = glm::distance(step.from.point, begin.point) <= kSame;
+    if (!is_at_start && glm::distance(step.to.point, begin.point) > kSame) return false;
+    if (!is_at_start) trace_.places.push_back(step.to);
+    return trace_.is_closed = true;
+  }
+
+  /// Whether a place lies between the ends of a step, seen along it, and the curve goes the same way there.
+  static bool goes_along(const SectionStep& step, const SectionPlace& place) {
+    const double along = glm::dot(place.point - step.from.point, step.from.tangent);
+    if (along < -kSame || along > glm::dot(step.to.point - step.from.point, step.from.tangent) + kSame) return false;
+    return glm::dot(place.tangent, step.from.tangent) >= kTurn;
+  }
+
+  /// The place that a step passes, of those that the curve was begun at or came into the same pieces at.
+  std::optional<std::size_t> passed_before(const SectionStep& step) const {
+    const auto is_passed = [&](std::size_t i) {
+      constexpr double kBeside = 0.05;
+      const SectionPlace& place = trace_.places[i];
+      if (i + 1 >= trace_.places.size() || !place.has_pieces_of(step.to) || !goes_along(step, place)) return false;
+      const double along = glm::dot(place.point - step.from.point, step.from.tangent);
+      const glm::dvec3 beside = step.point(std::clamp(along / step.length, 0.0, 1.0));
+      return glm::distance(beside, place.point) <= kBeside * step.length + kSame &&
+             error(SectionStep(step.from, place)) <= tolerance_;
+    };
+    if (is_passed(0)) return 0;
+    const auto visits = visits_.find({step.to.at.a.piece, step.to.at.b.piece});
+    if (visits == visits_.end()) return {};
+    const auto found = std::ranges::find_if(visits->second, [&](const Visit& visit) {
+      return travelled_ - visit.travelled > std::max(kSame, step.length) && is_passed(visit.place);
+    });
+    return found == visits->second.end() ? std::nullopt : std::optional(found->place);
   }
 
   /// The next place is beyond a side of a piece: to the first side, and to the piece beyond.
@@ -287,6 +278,8 @@ class March {
       travelled_ += step.length;
       trace_.places.push_back(*first);
       hops_ = 0;
+      // It was beyond the side by less than the tolerance, and comes back there.
+      if (!runs_out(last(), through, is_at_end(out[through]))) return true;
     } else {
       trace_.places.back().at[through] = first->at[through];
     }
@@ -392,7 +385,7 @@ class March {
     if (!runs_out(*there, i, is_end)) return false;
     if (is_known_ && is_known_(*there)) return false;
     if (const auto before = visit_before(*there)) return end_at_itself(*before);
-    visits_[{at.a.piece, at.b.piece}].push_back(trace_.places.size());
+    visits_[{at.a.piece, at.b.piece}].push_back({trace_.places.size(), travelled_});
     trace_.places.push_back(*there);
     return true;
   }
@@ -401,16 +394,17 @@ class March {
   std::optional<std::size_t> visit_before(const SectionPlace& place) const {
     const auto visits = visits_.find({place.at.a.piece, place.at.b.piece});
     if (visits == visits_.end()) return {};
-    const auto found = std::ranges::find_if(visits->second, [&](std::size_t i) {
-      const SectionPlace& other = trace_.places[i];
+    const auto found = std::ranges::find_if(visits->second, [&](const Visit& visit) {
+      const SectionPlace& other = trace_.places[visit.place];
       return glm::distance(other.point, place.point) <= kSame && glm::dot(other.tangent, place.tangent) > kTurn;
     });
-    return found == visits->second.end() ? std::nullopt : std::optional(*found);
+    return found == visits->second.end() ? std::nullopt : std::optional(found->place);
   }
 
   /// The curve came to a loop, which it went round: what leads to it stays, or, if it was begun on it, the loop.
   bool end_at_itself(std::size_t first) {
     std::vector<SectionPlace>& places = trace_.places;
+    places.push_back(SectionPlace(places[first]));
     const auto is_on_loop = [&](const SectionPlace& place) {
       for (std::size_t i = first; i + 1 < places.size(); ++i) {
         if (SectionStep(places[i], places[i + 1]).is_near(place.point, tolerance_)) return true;
@@ -423,9 +417,7 @@ class March {
       places.resize(joint + 1);
       return false;
     }
-    const SectionPlace start = places[first];
     places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(first));
-    places.push_back(start);
     trace_.is_closed = true;
     return false;
   }
@@ -456,13 +448,12 @@ class March {
   }
 
   TwoPatches patches_;
-  const SectionPlace& seed_;
   double way_;
   PatchContact contact_;
   std::span<const SectionTouch> touches_;
   double tolerance_;
   const std::function<bool(const SectionPlace&)>& is_known_;
-  std::map<std::array<std::size_t, 2>, std::vector<std::size_t>> visits_;  ///< of each pair of pieces the places of entry
+  std::map<std::array<std::size_t, 2>, std::vector<Visit>> visits_;  ///< of each pair of pieces
   double length_ = kFirstStep;
   double travelled_ = 0.0;
   int hops_ = 0;

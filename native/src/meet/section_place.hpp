@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -16,6 +17,15 @@ struct SectionPlace {
   glm::dvec3 point;
   glm::dvec3 tangent;            ///< a unit vector
   std::array<double, 4> slopes;  ///< by how much the parameters go by length
+
+  /// The parameter, of a's and b's u and v, that goes on fastest.
+  std::size_t fastest() const noexcept {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (std::abs(slopes[i]) > std::abs(slopes[found])) found = i;
+    }
+    return found;
+  }
 
   bool has_pieces_of(const SectionPlace& other) const noexcept {
     return at.a.piece == other.at.a.piece && at.b.piece == other.at.b.piece;
