@@ -24,6 +24,8 @@ fineness, handlers, live, native, shape = (part(name) for name in (
     'bridge.fineness', 'ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
 
 COUNT = 32
+#: Points in a row of a large net, which is to be dragged at ten frames a second.
+LARGE = 100
 #: Faces in a span of ours, and Blender's resolution, for as many vertices: a hundred thousand and a million.
 SIZES = ((11, 10), (35, 32))
 #: Vertices of the adaptive mesh that is moved, about.
@@ -74,17 +76,17 @@ def report(what, times):
     print(f"{what:68} {times[0]:8.3f}  {times[1]:8.3f}", flush=True)
 
 
-def net():
-    x, y = np.meshgrid(np.linspace(-2, 2, COUNT), np.linspace(-2, 2, COUNT), indexing='ij')
+def net(count=COUNT):
+    x, y = np.meshgrid(np.linspace(-2, 2, count), np.linspace(-2, 2, count), indexing='ij')
     return np.stack([x, y, 0.3 * np.cos(2 * x * y)], -1)
 
 
-def clamped():
-    return np.concatenate([np.zeros(3), np.arange(COUNT - 2.0), np.full(3, COUNT - 3.0)])
+def clamped(count=COUNT):
+    return np.concatenate([np.zeros(3), np.arange(count - 2.0), np.full(3, count - 3.0)])
 
 
-def patch():
-    return sc.NurbsPatch((3, 3), (clamped(), clamped()), net())
+def patch(count=COUNT):
+    return sc.NurbsPatch((3, 3), (clamped(count), clamped(count)), net(count))
 
 
 def idle():
@@ -142,6 +144,10 @@ def by_tolerance(count):
     return set_tolerance
 
 
+def automatic(data):
+    data.splinewright.mode = 'AUTOMATIC'
+
+
 class Timed:
     """A handler in the place of the add-on's, with what it took at each call."""
 
@@ -194,10 +200,10 @@ def bare(held, data):
     return handler
 
 
-def drag(set_fineness, count=40):
+def drag(set_fineness, count=40, points=COUNT):
     """(vertices, what the handler takes, a whole step, bare() and a whole step with that alone, the end of the gesture)."""
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-    ob = add(patch())
+    ob = add(patch(points))
     set_fineness(ob.data)
     held = enter()
     found = *steps_of(held, count), *steps_of(held, count, bare(held, ob.data))
@@ -243,6 +249,8 @@ def drags():
     row("adaptive", ours, None)
     figure(f"{ours[0]} adaptive vertices: moved", ours[1], "ms", 8)
     figure("    the end of the gesture, with other faces", ours[-1], "ms")
+    vertices, _, _, whole, *_ = drag(automatic, points=LARGE)
+    figure(f"one point of {LARGE} x {LARGE}, automatic faces, {vertices} vertices: a whole step", whole, "ms", 100)
     adaptive()
 
 

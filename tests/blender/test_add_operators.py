@@ -39,7 +39,7 @@ def test_a_curve_operator_makes_a_curve_object_of_exact_points(name, kind):
 
 @pytest.mark.parametrize('name, kind', PATCHES.items())
 def test_a_patch_operator_makes_a_smooth_mesh_with_uvs_and_exact_normals(name, kind):
-    ob = add(name)
+    ob = add(name, resolution_u=6)
     mesh, value = ob.data, ob.data.splinewright.value
     assert ob.type == 'MESH' and isinstance(value, kind)
     patch_set = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value], merge=False)

@@ -97,6 +97,26 @@ def test_a_baked_shape_moves_as_it_did(make):
     assert np.abs(evaluated(ob) - (before[4] + before[5]) / 2).max() < 1e-4 * size_of(before), "between frames"
 
 
+@pytest.mark.parametrize('mode', ('AUTOMATIC', 'TOLERANCE', 'ANGLE', 'BOTH'))
+def test_a_surface_with_as_many_faces_as_it_needs_is_baked_with_those_of_the_frame_that_needs_the_most(mode):
+    ob = keyed_mesh()
+    ob.data.materials.append(bpy.data.materials.new("glaze"))
+    ob.data.splinewright.mode = mode
+    counts = {}
+    for frame in range(FIRST, LAST + 1):
+        bpy.context.scene.frame_set(frame)
+        counts[frame] = len(ob.data.polygons)
+    bpy.context.scene.frame_set(2)
+    assert len(set(counts.values())) > 1
+    bake_it(ob)
+    assert len(ob.data.polygons) == max(counts.values()) and list(ob.data.materials) == [bpy.data.materials["glaze"]]
+    for frame in counts:
+        bpy.context.scene.frame_set(frame)
+        points, along = evaluated(ob).astype(float), (frame - 1) / 10
+        ring = np.hypot(points[:, 0], points[:, 1]) - (1 + along)
+        assert np.abs(np.hypot(ring, points[:, 2]) - (0.1 + 0.6 * along)).max() < 1e-5
+
+
 CHILD = """
 import bpy, json, sys
 assert not hasattr(bpy.types.Mesh, 'splinewright')
@@ -300,9 +320,11 @@ def test_the_range_is_that_of_the_scene_where_it_is_not_given():
     assert op(bake) == {'FINISHED'} and baking.frames(ob.data) == "5 to 8"
 
 
-def with_other_faces():
-    ob = keyed_mesh()
-    ob.data.splinewright.mode = 'TOLERANCE'
+def with_other_patches():
+    """A turn that has more spans by every quarter."""
+    ob = mesh()
+    ob.data.splinewright.mode = 'AUTOMATIC'
+    animate(ob.data, 'splinewright_parameters.revolve_sweep', {1: 0.3, 11: 6.0})
     return ob
 
 
@@ -323,7 +345,7 @@ def still():
 
 
 @pytest.mark.parametrize('make, settings, words', (
-    (with_other_faces, {}, "other faces, or points, at frame"), (with_keyed_resolution, {}, "not keyed"),
+    (with_other_patches, {}, "other patches, or other ones that meet"), (with_keyed_resolution, {}, "not keyed"),
     (touched, {}, "changed by hand"), (still, {}, "does not change"), (curve, {'frame_end': 2}, "before the first")))
 def test_what_cannot_be_baked_is_refused_and_nothing_changes(make, settings, words):
     ob = make()

@@ -40,7 +40,7 @@ SURFACES = ['add_bezier_patch', 'add_hermite_patch', 'add_nurbs_patch', 'add_tea
 @pytest.mark.parametrize('name', [*CURVES, *SURFACES])
 def test_a_resolution_that_was_not_given_is_that_of_the_preferences(name, wanted):
     operator = getattr(bpy.ops.splinewright, name)
-    wanted.curve_resolution, wanted.surface_resolution = 5, 7
+    wanted.curve_resolution, wanted.surface_resolution, wanted.surface_mode = 5, 7, 'COUNT'
     op(operator)
     assert settings().resolution_u == (5 if name in CURVES else 7) and settings().mode == 'COUNT'
     require_exact(bpy.context.object)
@@ -52,6 +52,14 @@ def test_a_resolution_that_was_not_given_is_that_of_the_preferences(name, wanted
     op(operator, resolution_u=4)
     op(operator)
     assert settings().resolution_u == 4, "as Blender's own operators remember"
+
+
+@pytest.mark.parametrize('name', SURFACES)
+def test_new_surfaces_have_automatic_faces(name):
+    assert preferences.get().surface_mode == 'AUTOMATIC'
+    op(getattr(bpy.ops.splinewright, name))
+    assert settings().mode == 'AUTOMATIC'
+    require_exact(bpy.context.object)
 
 
 @pytest.mark.parametrize('name', SURFACES)
@@ -139,6 +147,7 @@ def drawn(wanted, monkeypatch):
 
 
 def test_the_preferences_show_what_applies(wanted, monkeypatch):
+    wanted.surface_mode = 'COUNT'
     props = drawn(wanted, monkeypatch)[0].props
     assert {"curve_resolution", "surface_resolution", "nurb_sel_uline", "color_arrow", "color_g1"} <= set(props)
     assert not {"color_u", "surface_tolerance", "surface_angle"} & set(props)

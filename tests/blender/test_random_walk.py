@@ -68,10 +68,11 @@ class Walk:
                 self.check()
 
     def check(self):
-        """Every shape that no hand has changed is what its definition evaluates to, in Edit Mode, too."""
+        """Every shape that no hand has changed is what its definition evaluates to, in Edit Mode, too, when gestures are over."""
         for ob in self.shapes():
             ours = ob.mode == 'OBJECT' and not (ob.library or ob.data.library or ob.data.shape_keys)
             if ours and not shape.is_touched(ob.data):
+                live.settle(ob.data)
                 require_exact(ob)
                 self.checked += 1
 

@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 import bpy
 import numpy as np
 
+from ..core import definition as definitions
 from ..core.failures import Refusal
-from . import animation, blocks, follow, shape, stamp, store, write_mesh
+from . import animation, blocks, fineness, follow, shape, stamp, store, write_mesh
 from .native import native_links
 
 KEY = "splinewright_baked"
@@ -25,10 +26,54 @@ class Take:
 
     frames: list
     points: list = field(default_factory=list)      # of (n, 3) float32, one for each frame
+    faces: object = None                            # the Tessellation with these points, None for what the data-block has
 
     @property
     def moves(self):
         return any(not np.array_equal(points, self.points[0]) for points in self.points)
+
+
+class _AsShown:
+    """Makes the Take of a data-block that has the same faces, or lines, in every frame."""
+
+    def __init__(self, data, frames):
+        self._data, self._take, self._stamp = data, Take(list(frames)), None
+
+    def look(self, frame):
+        now = stamp.of(self._data)
+        self._stamp = self._stamp or now
+        if not stamp.same_topology(self._stamp, now):
+            raise Refusal(_OTHER_TOPOLOGY.format(self._data.name, frame, self._take.frames[0]))
+        self._take.points.append(shape.points_of(self._data).astype(np.float32))
+
+    def take(self):
+        return self._take
+
+
+class _ByNeed:
+    """Makes the Take of a surface that has as many faces as each frame needs: those of the frame that needs the most."""
+
+    def __init__(self, data, frames):
+        self._data, self._take, self._most, self._sets = data, Take(list(frames)), 0, []
+
+    def look(self, frame):
+        self._sets.append(_patch_set(self._data))
+        if len(self._data.polygons) > self._most:
+            self._most = len(self._data.polygons)
+            self._take.faces = fineness.tessellated(self._data, self._sets[-1])
+
+    def take(self):
+        faces = self._take.faces
+        for frame, patch_set in zip((*self._take.frames, None), (*self._sets, _patch_set(self._data))):
+            if not faces.fits(patch_set):
+                when = "now" if frame is None else f"at frame {frame}"
+                raise Refusal(_OTHER_PATCHES.format(self._data.name, when))
+        self._take.points = [faces.evaluate_positions(patch_set) for patch_set in self._sets]
+        return self._take
+
+
+def _patch_set(data):
+    return definitions.to_patch_set(store.read(data))
 
 
 def record(scene, shapes, frames):
@@ -46,24 +91,27 @@ def record(scene, shapes, frames):
 
 
 def _recorded(scene, shapes, frames):
-    takes, stamps = {data: Take(list(frames)) for data in shapes}, {}
+    makers = {data: (_ByNeed if _is_by_need(data) else _AsShown)(data, frames) for data in shapes}
     was, within = scene.frame_current, scene.frame_subframe
     try:
         for frame in frames:
             scene.frame_set(frame)
-            for data, take in takes.items():
-                now = stamp.of(data)
-                if not stamp.same_topology(stamps.setdefault(data, now), now):
-                    raise Refusal(_OTHER_TOPOLOGY.format(data.name, frame, frames[0]))
-                take.points.append(shape.points_of(data).astype(np.float32))
+            for maker in makers.values():
+                maker.look(frame)
             yield
     finally:
         scene.frame_set(was, subframe=within)
-    return takes
+    return {data: maker.take() for data, maker in makers.items()}
+
+
+def _is_by_need(data):
+    return isinstance(data, bpy.types.Mesh) and not fineness.by_count(data)
 
 
 _OTHER_TOPOLOGY = ("{0} has other faces, or points, at frame {1} than at frame {2}, and shape keys only move them: "
-                   "choose Faces By Count and a resolution that is not keyed")
+                   "choose a resolution that is not keyed")
+_OTHER_PATCHES = ("{0} has other patches, or other ones that meet, {1} than where it has the most faces, and shape keys "
+                  "only move them")
 
 
 def _require_bakeable(data, count):
@@ -88,6 +136,8 @@ def bake(data, take):
     """Put a Mesh or Curve that moves by itself in the place of a shape's; that new data-block."""
     baked = data.copy()
     baked.name = f"{data.name} Baked"
+    if take.faces is not None:
+        shape.rewrite(baked, faces=take.faces)
     shape.detach(baked)
     if isinstance(baked, bpy.types.Mesh):
         write_mesh.let_normals_turn(baked)

@@ -45,6 +45,19 @@ def set_resolution(data, resolution_u, resolution_v):
         raise
 
 
+def set_count(data, resolution_u, resolution_v):
+    """Show a surface by so many faces in every span, with one evaluation at most. Raises as set_resolution()."""
+    was = of(data).mode
+    with quiet(data):
+        of(data).mode = COUNT
+    try:
+        set_resolution(data, resolution_u, resolution_v)
+    except TypeError:
+        with quiet(data):
+            of(data).mode = was
+        raise
+
+
 def start(data, resolution_u, resolution_v, mode=COUNT, tolerance=None, angle=None):
     """Give a new data-block, which shows nothing yet, its first settings."""
     set_resolution(data, resolution_u, resolution_v)
@@ -100,7 +113,7 @@ def _changed(self, context):
         self.changed(context)
 
 
-def mode_property(**more):
+def mode_property(default=COUNT, **more):
     return EnumProperty(
         name="Faces", description="How many faces show the surface",
         items=((COUNT, "By Count", "So many in every span"),
@@ -109,7 +122,7 @@ def mode_property(**more):
                (BOTH, "By Both", "As many as tolerance and angle take together"),
                (AUTOMATIC, "Automatic", "As many as it takes to look smooth as a whole: by a tolerance that suits its size, and by "
                 "angle")),
-        default=COUNT, **more)
+        default=default, **more)
 
 
 def tolerance_property(**more):

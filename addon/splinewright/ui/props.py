@@ -36,8 +36,8 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
         live.note_settings(data)
 
     def set_resolution(self, resolution_u, resolution_v):
-        """Both at once, with one evaluation at most. TypeError, and no change, for what is no whole number."""
-        settings.set_resolution(self.id_data, resolution_u, resolution_v)
+        """Both at once, and faces by count, with one evaluation at most. TypeError, and no change, for no whole number."""
+        settings.set_count(self.id_data, resolution_u, resolution_v)
 
     @property
     def problem(self):
