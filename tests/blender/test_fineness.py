@@ -104,7 +104,7 @@ def test_what_would_be_too_fine_is_said_and_the_mesh_stays():
     assert "2^21" in ob.data.splinewright.problem and np.array_equal(vertices(ob.data), fine)
     ob.data.splinewright.tolerance = 0.01
     assert ob.data.splinewright.problem == ""
-    ob.data.splinewright.mode = 'AUTOMATIC'
+    ob.data.splinewright.mode = 'COUNT'
     assert np.array_equal(vertices(ob.data), before)
 
 
@@ -335,7 +335,7 @@ def test_without_a_camera_or_behind_it_nothing_changes():
     camera_at(-5.0)
     with pytest.raises(RuntimeError, match="behind the camera"):
         op(bpy.ops.splinewright.tolerance_from_render)
-    assert ob.data.splinewright.mode == 'AUTOMATIC'
+    assert ob.data.splinewright.mode == 'COUNT'
 
 
 def set_scale(ob, scale):
@@ -354,7 +354,7 @@ def test_what_no_tolerance_shows_is_said_and_the_settings_stay():
         with pytest.raises(RuntimeError, match=word):
             op(bpy.ops.splinewright.tolerance_from_render)
         settings = ob.data.splinewright
-        assert (settings.mode, settings.tolerance, settings.problem) == ('AUTOMATIC', 0.5, "")
+        assert (settings.mode, settings.tolerance, settings.problem) == ('COUNT', 0.5, "")
         assert len(ob.data.polygons) == faces
     camera.data.lens = 1e6
     require_refused("2\\^21")

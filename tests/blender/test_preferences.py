@@ -55,8 +55,8 @@ def test_a_resolution_that_was_not_given_is_that_of_the_preferences(name, wanted
 
 
 @pytest.mark.parametrize('name', SURFACES)
-def test_new_surfaces_have_automatic_faces(name):
-    assert preferences.get().surface_mode == 'AUTOMATIC'
+def test_new_surfaces_have_automatic_faces_where_the_preferences_say_so(name, wanted):
+    wanted.surface_mode = 'AUTOMATIC'
     op(getattr(bpy.ops.splinewright, name))
     assert settings().mode == 'AUTOMATIC'
     require_exact(bpy.context.object)
