@@ -73,8 +73,7 @@ def dragged(view):
         nets()[0].data.splines[0].points[-2].select = True
         nets()[0].data.update_tag()
         bpy.ops.ed.undo_push(message="choose")
-    view.press('G')
-    yield from redrawn()
+    yield from by_keys.keys(view, "G Z")            # in the plane
     view.move(view.x, view.y + 60)
     yield from until(lambda: value() != before, "the mouse follows the drag")
     yield from by_keys.keys(view, "Click")
