@@ -1,6 +1,7 @@
-"""A planing hull whose chine is one edge: the half is one loft through contours of keel, chine and sheer, whose corners Match Corners
-joins by one line of knots; Mirror makes the other half. The spray rails are pipes along the chine, which was extracted from the loft.
-The frames go through the vertices of lines; they are in the file, hidden from the picture only: move one, and the hull follows.
+"""A planing hull whose chine is one edge: the half is one loft through contours of keel, chine and sheer, whose corners
+Match Corners joins by one line of knots; Mirror makes the other half. The spray rails are pipes along the chine, which was
+extracted from the loft. The frames go through the vertices of lines; they are in the file, hidden from the picture only: move
+one, and the hull follows.
 """
 
 import sys
@@ -33,7 +34,8 @@ def rail(border, name, radius, **settings):
     """A pipe along a curve of the half, and its image."""
     curve = stage.follow(border, [half], f"Curve of the {name.lower()}", 'ink', **settings)
     curve.hide_render = True
-    across(stage.follow('add_pipe', [curve], name, 'biscuit', radius=radius, end_radius=0.6 * radius, caps='round', resolution_u=6))
+    pipe = {'radius': radius, 'end_radius': 0.6 * radius, 'caps': 'round', 'resolution_u': 6}
+    across(stage.follow('add_pipe', [curve], name, 'biscuit', **pipe))
 
 
 stage.begin()

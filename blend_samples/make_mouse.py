@@ -1,6 +1,7 @@
-"""A computer mouse under stripes: one half is a loft through curves that run from front to back; Mirror joins it with its image, G2
-across the plane, so that stripes run on over it. The line between its buttons and its back is where a plane cuts both halves. The
-curves go through the vertices of lines; they are in the file, hidden from the picture only: move one, and all of it follows.
+"""A computer mouse under stripes: one half is a loft through curves that run from front to back; Mirror joins it with its
+image, G2 across the plane, so that stripes run on over it. The line between its buttons and its back is where a plane cuts both
+halves. The curves go through the vertices of lines; they are in the file, hidden from the picture only: move one, and all of it
+follows.
 """
 
 import sys

@@ -63,7 +63,7 @@ def follow(operator, sources, name, color='snow', **settings):
 
 
 def through(points, name, operator='curve_through_points', closed=False, color='ink', **settings):
-    """What Curve Through Points, or Contour Through Points, makes of the vertices of a mesh, along its edges; hidden from pictures."""
+    """What Curve Through Points, or Contour Through Points, makes of the vertices of a line; hidden from pictures."""
     started = time.perf_counter()
     data = bpy.data.meshes.new(name)
     data.from_pydata(list(points), [(i, i + 1) for i in range(len(points) - 1)], [])
