@@ -62,23 +62,31 @@ def mirrored(view):
     require_smooth()
 
 
+def take(view, number):
+    """Select one point of the net."""
+    with view.override():
+        bpy.ops.curve.select_all(action='DESELECT')
+        nets()[0].data.splines[0].points[number].select = True
+        nets()[0].data.update_tag()
+        bpy.ops.ed.undo_push(message="choose")
+
+
 def dragged(view):
     """The rib in the plane is dragged in its net, and grows by E."""
     yield from by_keys.choose(view, NAMES[0])
     before = value()
     view.press('TAB')
     yield from into_net()
-    with view.override():
-        bpy.ops.curve.select_all(action='DESELECT')
-        nets()[0].data.splines[0].points[-2].select = True
-        nets()[0].data.update_tag()
-        bpy.ops.ed.undo_push(message="choose")
+    take(view, -2)
+    yield from redrawn()
     yield from by_keys.keys(view, "G Z")            # in the plane
     view.move(view.x, view.y + 60)
     yield from until(lambda: value() != before, "the mouse follows the drag")
     yield from by_keys.keys(view, "Click")
     require_smooth()
     shaped = value()
+    take(view, -1)
+    yield from redrawn()
     yield from by_keys.keys(view, "E X 0.3 Enter")
     yield from until(lambda: value() != shaped, "E makes a point more")
     yield from redrawn()
