@@ -12,7 +12,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(Path(__file__).parent))
 import by_keys
-from one_shape import place_seen_on
+from one_shape import places_seen_on
 from window import View, empty_file, in_net, into_net, is_out, nets, part, redrawn, run, save_picture, select_points, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
@@ -28,6 +28,7 @@ def instructions():
     """Of each step the tokens of its first paragraph but for its title."""
     section = README.partition("## Five minutes")[2].partition("\n## ")[0]
     found = re.findall(r"^\d\. \*\*[^*]+\.\*\* (.*?)\n\n", section, re.M | re.S)
+    assert "on the belly" in found[2] and "on the neck" in found[4]
     assert len(found) == len(PICTURES) and [name for name in PICTURES if f"five-{name}.png" not in section] == []
     return [[(kind, match[kind]) for match in TOKEN.finditer(re.sub(r"\s+", " ", text)) for kind in [match.lastgroup]] for text in found]
 
@@ -58,6 +59,16 @@ def seen_at(view, at):
     return view.pixel_of(vase().matrix_world @ Vector(value().evaluate(*at)))
 
 
+#: How high the parts of the vase are that the text names.
+HEIGHTS = {"belly": -0.5, "neck": 0.4}
+
+
+def place_on(view, name):
+    """(u, v) where a part of the vase is seen."""
+    height = lambda at: (vase().matrix_world @ Vector(value().evaluate(*at))).z
+    return min(places_seen_on(view, vase()), key=lambda at: abs(height(at) - HEIGHTS[name]))
+
+
 def state():
     return part('bridge.file_state').state
 
@@ -83,7 +94,7 @@ def keys(view, text):
         yield from redrawn()
         yield from redrawn()
     elif text in ("Ctrl+R", "Alt+G"):
-        view.at = place_seen_on(view, vase())
+        view.at = place_on(view, "belly")
         view.move(*seen_at(view, view.at))
         yield from redrawn()
         yield from by_keys.keys(view, text)
@@ -149,7 +160,7 @@ def gesture(view, text):
         yield from until(lambda: [point.select for point in nets()[0].data.splines[0].points].count(True) == 1, "one point is selected")
     elif text == "turn the wheel":
         if state().aimed is None:
-            view.move(*seen_at(view, place_seen_on(view, vase())))
+            view.move(*seen_at(view, place_on(view, "neck")))
             yield from until(lambda: state().aimed is not None, "the cut is shown at the mouse")
         view.wheel_up()
         yield from redrawn()

@@ -86,6 +86,7 @@ def dragged(view):
     require_smooth()
     shaped = value()
     take(view, -1)
+    view.move(420, 420)
     yield from redrawn()
     yield from by_keys.keys(view, "E X 0.3 Enter")
     yield from until(lambda: value() != shaped, "E makes a point more")
