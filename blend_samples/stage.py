@@ -57,12 +57,36 @@ def add(operator, name, place=(0, 0, 0), rotation=(0, 0, 0), color='snow', **set
 def follow(operator, sources, name, color='snow', **settings):
     """Call an operator that makes a shape from other objects, which it follows; the first one is the active one."""
     started = time.perf_counter()
-    bpy.context.view_layer.update()
-    for ob in bpy.context.view_layer.objects:
-        ob.select_set(ob in sources)
-    bpy.context.view_layer.objects.active = sources[0]
+    _select(*sources)
     getattr(bpy.ops.splinewright, operator)(**settings)
     return _named(name, color, operator, started)
+
+
+def through(points, name, operator='curve_through_points', closed=False, color='ink', **settings):
+    """What Curve Through Points, or Contour Through Points, makes of the vertices of a line; hidden from pictures."""
+    started = time.perf_counter()
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(list(points), [(i, i + 1) for i in range(len(points) - 1)], [])
+    line = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(line)
+    _select(line)
+    bpy.ops.object.mode_set(mode='EDIT')
+    bpy.ops.mesh.select_all(action='SELECT')
+    getattr(bpy.ops.splinewright, operator)(closed=closed, **settings)
+    made = bpy.context.object
+    bpy.data.meshes.remove(data)
+    bpy.context.view_layer.objects.active = made
+    ob = _named(name, color, operator, started)
+    ob.hide_render = True
+    return ob
+
+
+def _select(*obs):
+    """The first one is the active one."""
+    bpy.context.view_layer.update()
+    for ob in bpy.context.view_layer.objects:
+        ob.select_set(ob in obs)
+    bpy.context.view_layer.objects.active = obs[0]
 
 
 def fitted(cloud, name, color='snow', **settings):

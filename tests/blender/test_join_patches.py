@@ -92,16 +92,28 @@ def test_what_was_achieved_is_said(capfd):
     assert "patch 2 moved by" in said and "patch 1" not in said
 
 
-def test_seams_with_others_that_come_apart_are_told(capfd):
-    row = [sc.BezierPatch(net(start)) for start in (0, 3, 6)]
-    for before, after in zip(row, row[1:]):
-        after_net = np.array(after.points)
-        after_net[0] = before.points[-1]
-        row[row.index(after)] = sc.BezierPatch(after_net)
-    beside = sc.BezierPatch(np.stack([row[1].points[:, -1], row[1].points[:, -1] + (0, 1, 0)], 1))
-    add(sc.PatchSet.from_patches([row[0], row[1], beside]))
+def three(rows):
+    """Two patches side by side, the second one with so many rows, and one along that."""
+    first, after = sc.BezierPatch(net(0)), np.array(net(3))
+    after[0] = first.points[-1]
+    second = sc.BezierPatch(after[np.linspace(0, 3, rows).astype(int)])
+    beside = sc.BezierPatch(np.stack([second.points[:, -1], second.points[:, -1] + (0, 1, 0)], 1))
+    return sc.PatchSet.from_patches([first, second, beside])
+
+
+def test_other_patches_go_along_with_what_is_joined(capfd):
+    ob = add(three(4))
     op(bpy.ops.splinewright.join_patches, first=1, second=2, continuity='G1')
-    assert "a seam with other patches came apart" in capfd.readouterr().out
+    found = ob.data.splinewright.value
+    assert "open now" not in capfd.readouterr().out and len(found.seams()) == 2
+    (first, side), (second, other) = next(pair for pair in found.seams() if pair[1][0] == 2)
+    assert sc.seam_continuity(found[first], side, found[second], other).gap == 0.0
+
+
+def test_seams_with_others_that_come_apart_are_named(capfd):
+    add(three(2))
+    op(bpy.ops.splinewright.join_patches, first=1, second=2, continuity='G2')
+    assert "open now between the patches 2 and 3" in capfd.readouterr().out
 
 
 @pytest.mark.parametrize('value, settings, reason', (

@@ -16,7 +16,7 @@ NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.
 def test_there_are_samples():
     assert {'gallery', 'teapot', 'vase', 'solids', 'cups', 'conics', 'moebius', 'knots', 'points', 'runge',
             'joins', 'railing', 'scan', 'bottle', 'contour', 'offsets', 'kettle', 'boat', 'flask', 'mirror',
-            'suzanne'} <= set(NAMES)
+            'suzanne', 'shampoo', 'mouse', 'hull'} <= set(NAMES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -346,3 +346,51 @@ def test_suzanne_follows_her_mesh_and_is_smooth():
     mesh.data.update()
     bpy.context.view_layer.update()
     assert ob.data.splinewright.value != before
+
+
+def body_of(name):
+    value = bpy.data.objects[name].data.splinewright.value
+    return value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
+
+
+def open_sides(patch_set):
+    """How many sides of patches that are no points no other side has."""
+    return sum(map(len, sc.build.open_ends(patches_of(patch_set))))
+
+
+def test_the_shampoo_bottle_is_closed_and_follows_a_section():
+    before = opened('shampoo')
+    assert kinds_in(before)["Bottle"] == 'loft' and len(before["Bottle"]) == 3
+    assert open_sides(before["Bottle"]) == 0 and before["Bottle"].volume() > 0
+    def widen():
+        bpy.data.objects["Section 4"].scale.x *= 1.1
+    assert changed_by(widen, before) == {"Bottle"}
+    assert open_sides(body_of("Bottle")) == 0
+
+
+def test_the_halves_of_the_mouse_go_on_as_each_other_across_the_plane():
+    before = opened('mouse')
+    assert kinds_in(before)["Mouse"] == 'mirror' and open_sides(before["Base"]) == 0
+    def lift():
+        bpy.data.objects["Rib 2"].location.z += 0.03
+    assert changed_by(lift, before) == {"Half", "Mouse", "Line behind the buttons"}
+    for value in (before["Mouse"], body_of("Mouse")):
+        (first, side), (second, other) = value.seams()[0]
+        seam = sc.seam_continuity(value[first], side, value[second], other)
+        assert len(value.seams()) == 1 and seam.gap < 1e-12 and seam.g >= 2
+        assert np.abs(value[first].boundary(side).points[:, 1]).max() == 0.0
+
+
+def test_the_chine_of_the_hull_is_one_edge():
+    before = opened('hull')
+    frames = [np.asarray(before[f"Frame {i + 1}"].points) for i in range(6)]
+    half = before["Half"]
+    knots, degree = np.asarray(half.knots[0]), half.degree[0]
+    inner = knots[(knots > half.domain[0][0]) & (knots < half.domain[0][1])]
+    assert len(inner) == degree and np.ptp(inner) == 0.0        # the only line of knots along the hull, and a sharp one
+    chine = half.isocurve('u', inner[0])
+    assert chine.nearest([points[1] for points in frames]).distances.max() < 1e-9
+    assert bpy.data.objects["Curve of the spray rail"].data.splinewright.value == chine
+    def lower():
+        bpy.data.objects["Frame 3"].location.z -= 0.05
+    assert changed_by(lower, before) == {"Half", "Half, both"}

@@ -38,9 +38,14 @@ def place_seen(view):
 
 def place_seen_on(view, ob):
     """The same of the one patch of an object."""
+    return next(places_seen_on(view, ob))
+
+
+def places_seen_on(view, ob):
+    """All such places of a grid."""
     (u0, u1), (v0, v1) = ob.data.splinewright.value.domain
     grid = itertools.product(np.linspace(u0, u1, 12)[2:-2], np.linspace(v0, v1, 14)[3:-3])
-    return next(at for at in grid if _is_seen(view, ob, at))
+    return (at for at in grid if _is_seen(view, ob, at))
 
 
 def _is_seen(view, ob, at):

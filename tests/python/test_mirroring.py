@@ -181,3 +181,10 @@ def test_a_parabola_between_two_ends_on_the_plane_is_closed_smoothly():
     made = mirrored(sc.BezierCurve([(0, 0, 0), (2, 1, 0), (0, 2, 0)])).value
     ends = [made.derivatives(at, 1)[1] for at in made.domain]
     assert all(abs(slope[1:]).max() < 1e-12 * abs(slope[0]) for slope in ends)
+
+
+def test_a_plane_that_the_shape_does_not_cross_is_suggested_before_others():
+    """A loft of waves that stand on the floor: its first one lies in the plane, the ends of all on the floor, which they cross."""
+    waves = [sc.BezierCurve([(-1, y, 0), (-0.3, y, -1.5), (0.3, y, 1.5), (1, y, 0)]) for y in (0.0, 1.0, 2.0)]
+    loft = core("definition").from_value(sc.build.loft(waves).value)
+    assert core("mirroring").suggested_axis(loft, 0.01) == 'y'

@@ -90,13 +90,14 @@ def shifted(seams, count):
 
 def carried(seams, parents, before, definition):
     """Those of the seams of the definition `before` that are seams of another still, whose pieces came of the pieces with these
-    numbers. A knot is the same that lies in the same place, with the same side before it."""
+    numbers; where both sides were cut, all of its parts. A knot is the same that lies in the same place, with the same side
+    before it."""
     found = []
     for held in seams:
         now = [[i for i, parent in enumerate(parents) if parent == piece] for piece, _ in (held.first, held.second)]
         moved = [one for a, b in itertools.product(*now) for one in _at_pieces(held, a, b, before, definition)]
         moved = [one for one in moved if are_one(definition, one)]
-        found += moved if len(moved) == 1 else []
+        found += moved if len(moved) == 1 or not definition.has_curves else []
     return tuple(found)
 
 

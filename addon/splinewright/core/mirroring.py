@@ -61,13 +61,19 @@ class _Half(NamedTuple):
 
 
 def suggested_axis(definition, gap):
-    """The one of x, y and z on whose plane through the origin most ends or borders lie; x where none does. A plane in which
-    all lies is none."""
+    """The one of x, y and z on whose plane through the origin most ends or borders lie, of those that the shape does not cross where
+    there are any; x where none does. A plane in which all lies is none."""
     pieces = [piece.to_nurbs() for piece in verbs.pieces_of(definition)]
     planes = {name: Plane(np.zeros(3), normal) for name, normal in zip('xyz', np.eye(3))}
     halves = {name: [_half(piece, plane, gap, False) for piece in pieces] for name, plane in planes.items()}
-    possible = [name for name, plane in planes.items() if np.abs(_heights(halves[name], plane)).max(initial=0.0) > gap]
-    return max(possible or planes, key=lambda name: sum(len(half.rows) for half in halves[name]))
+    heights = {name: _heights(halves[name], plane) for name, plane in planes.items()}
+    possible = [name for name in planes if np.abs(heights[name]).max(initial=0.0) > gap]
+
+    def rank(name):
+        count = sum(len(half.rows) for half in halves[name])
+        is_crossed = heights[name].min(initial=0.0) < -gap and heights[name].max(initial=0.0) > gap
+        return count > 0 and not is_crossed, count
+    return max(possible or planes, key=rank)
 
 
 def _heights(halves, plane):

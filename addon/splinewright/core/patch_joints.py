@@ -1,11 +1,12 @@
 """Two patches brought together along a side of each (lecture row S21)."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
 
 from . import definition as definitions
-from . import patch_curves, sewing, verbs
+from . import patch_curves, seams, sewing, verbs
 from .failures import Refusal
 from .library import sc
 
@@ -14,6 +15,8 @@ SMOOTHNESS = ('C0', 'G1', 'C1', 'G2', 'C2')
 #: Which patch gives way.
 MOVES = ('second', 'first', 'both')
 SIDES = tuple(patch_curves.SIDES)
+#: Points that differ by less, as a part of the largest number, are to go to one place.
+_ROUNDING = 1e-13
 #: Places along a side at which the distance of two is taken.
 _PLACES = np.linspace(0.0, 1.0, 9)
 
@@ -32,7 +35,7 @@ class Joined(NamedTuple):
     first: tuple                        # (number counted from 1, side, how far it moved)
     second: tuple
     measured: object                    # the splinecore SeamContinuity of the edge
-    came_apart: int                     # seams that were there before
+    came_apart: tuple                   # pairs of patches, counted from 1, that shared a side before and share none now
 
 
 def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parted=None):
@@ -51,11 +54,38 @@ def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parte
     found = sc.build.join_patches(patches[a], side_a, patches[b], side_b, smoothness, moves)
     after = list(patches)
     after[a], after[b] = found.first, found.second
-    made = sewing.sewn(definition, after, range(len(after)), joined=((a, b),))
+    made = _with_neighbors(definition, ((a, found.first), (b, found.second)))
+    made = made or sewing.sewn(definition, after, range(len(after)), joined=((a, b),))
     changed = verbs.Changed(made, tuple(range(len(after))), max(found.first_error, found.second_error))
-    before, now = (len(definitions.to_patch_set(one).seams()) for one in (definition, made))
+    apart = tuple((i + 1, j + 1) for i, j in seams.opened(definition, made, changed.parents))
     return Joined(changed, (a + 1, side_a, found.first_error), (b + 1, side_b, found.second_error),
-                  sc.seam_continuity(found.first, side_a, found.second, side_b), max(before - now, 0))
+                  sc.seam_continuity(found.first, side_a, found.second, side_b), apart)
+
+
+def _with_neighbors(definition, moved):
+    """The definition in which two patches that share a side have other points, and with them all that share these points; None where
+    they share none, or have other knots or degrees now. moved: (number counted from 0, patch) of both."""
+    pool, written = definition.pool.copy(), np.zeros(len(definition.pool), bool)
+    rows = [np.unique(definition.pieces[number].indices) for number, _ in moved]
+    if not len(np.intersect1d(*rows)):
+        return None
+    for number, patch in moved:
+        piece, new = definition.pieces[number], definitions.from_value(patch)
+        (own,) = new.pieces
+        if own.layout != piece.layout or not all(map(np.array_equal, own.knots, piece.knots)):
+            return None
+        there, points = piece.indices.ravel(), new.pool[own.indices.ravel()]
+        if not _agree(pool[there][written[there]], points[written[there]]):
+            return None
+        pool[there[~written[there]]] = points[~written[there]]
+        if not _agree(pool[there], points):     # a point that it has twice was to go to two places
+            return None
+        written[there] = True
+    return replace(definition, pool=pool)
+
+
+def _agree(these, those):
+    return not len(these) or np.abs(these - those).max() <= _ROUNDING * np.abs(those).max()
 
 
 def nearest_sides(first, second, first_choice=Choice(), second_choice=Choice()):

@@ -63,7 +63,7 @@ def nets_in_edit_mode(context):
 
 def is_in_result(context):
     """Whether the mesh or curve that Splinewright wrote is in Edit Mode, not the net."""
-    ob = context.object
+    ob = getattr(context, 'object', None)           # a window that is closing has none
     return ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob)
 
 

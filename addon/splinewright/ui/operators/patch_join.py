@@ -104,8 +104,8 @@ def told(found):
 
 def came_apart(found):
     """What a core.patch_joints.Joined has taken apart, as warnings."""
-    seams = "a seam" if found.came_apart == 1 else f"{found.came_apart} seams"
-    return (f"{seams} with other patches came apart",) if found.came_apart else ()
+    pairs = ", ".join(f"{first} and {second}" for first, second in found.came_apart)
+    return (f"open now between the patches {pairs}: they have other knots or degrees there",) if pairs else ()
 
 
 def _short(number):

@@ -1,0 +1,122 @@
+"""What a user does by keys alone: menus by their words, F3, transforms with numbers; saving and opening again."""
+
+from types import SimpleNamespace
+
+import bpy
+
+from window import View, redrawn, until
+
+KEYS = {**{str(i): name for i, name in enumerate(('ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE'))},
+        '.': 'PERIOD', '-': 'MINUS', ' ': 'SPACE'}
+
+
+class _Entries:
+    """A layout that notes what can be chosen in it, in order."""
+
+    def __init__(self, context):
+        self.found, self.operator_context = [], context
+
+    def operator(self, name, text=None, **_):
+        room, _, own = name.partition(".")
+        self.found.append(text or getattr(getattr(bpy.ops, room), own).get_rna_type().name if own else text)
+        return SimpleNamespace()
+
+    def menu(self, name, text=None, **_):
+        self.found.append(text or getattr(bpy.types, name).bl_label)
+
+    def prop(self, data, name, text=None, **_):
+        self.found.append(text or name)
+
+    def operator_menu_enum(self, name, _, text=None, **__):
+        self.operator(name, text)
+
+    def row(self, **_):
+        return self
+
+    column = row
+
+    def separator(self, **_):
+        pass
+
+    def label(self, **_):
+        pass
+
+
+def entries(menu, context='INVOKE_REGION_WIN'):
+    """The words of the entries of a menu that is drawn by Python."""
+    layout = _Entries(context)
+    draw = getattr(bpy.types, menu).draw
+    for function in getattr(draw, '_draw_funcs', [draw]):
+        function(SimpleNamespace(layout=layout), bpy.context)
+    return layout.found
+
+
+#: By the words of their entries, below Add.
+_MENUS = {"": 'VIEW3D_MT_add', "Curve": 'VIEW3D_MT_curve_add', "Surface": 'VIEW3D_MT_surface_add',
+          "Curve > Splinewright": 'SPLINEWRIGHT_MT_curve_add', "Surface > Splinewright": 'SPLINEWRIGHT_MT_surface_add'}
+
+
+def add(view, path):
+    """Steps that choose what a path of words below Shift+A says: Curve > Splinewright > Circle."""
+    names = path.split(" > ")
+    with view.override():
+        menus = [entries(_MENUS[" > ".join(names[:i])], 'INVOKE_REGION_WIN' if i else 'EXEC_REGION_WIN') for i in range(len(names))]
+    view.press('A', shift=True)
+    yield from redrawn()
+    for i, (name, found) in enumerate(zip(names, menus)):
+        for key in ['HOME', *['DOWN_ARROW'] * found.index(name), 'RET' if i == len(names) - 1 else 'RIGHT_ARROW']:
+            view.press(key)
+            yield from redrawn()
+    yield from redrawn()
+
+
+def search(view, words):
+    """Steps that press F3, type words and take what is found first."""
+    view.press('F3')
+    yield from redrawn()
+    yield from redrawn()
+    for letter in words.lower():
+        view.press(KEYS.get(letter, letter.upper()), letter)
+    yield from redrawn()
+    yield from redrawn()
+    view.press('RET')
+    yield from redrawn()
+    yield from redrawn()
+
+
+def keys(view, text):
+    """Steps that press keys as they are written: "G Z 0.5 Enter", "Ctrl+Z"."""
+    for word in text.split():
+        if word.lstrip('-').replace('.', '', 1).isdigit():
+            for digit in word:
+                view.press(KEYS[digit], digit)
+            continue
+        *modifiers, key = word.split("+")
+        key = {'Enter': 'RET', 'Tab': 'TAB', 'Esc': 'ESC', 'Click': 'LEFTMOUSE'}.get(key, key)
+        view.press(key, **{modifier.lower(): True for modifier in modifiers})
+        if modifiers or key in ('TAB', 'E'):
+            yield from redrawn()
+    yield from redrawn()
+
+
+def choose(view, *names):
+    """Steps that select objects; the first one is the active one."""
+    with view.override():
+        bpy.ops.object.select_all(action='DESELECT')
+        for name in names:
+            bpy.data.objects[name].select_set(True)
+        bpy.context.view_layer.objects.active = bpy.data.objects[names[0]]
+        bpy.ops.ed.undo_push(message="select")
+    yield from redrawn()
+
+
+def saved_and_opened(view, path):
+    """Steps that save by Ctrl+S, and open the file; then the View of what is there."""
+    with view.override():
+        bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    stamp = path.stat().st_mtime_ns
+    view.press('S', ctrl=True)
+    yield from until(lambda: path.stat().st_mtime_ns > stamp, "Ctrl+S saves")
+    bpy.ops.wm.open_mainfile(filepath=str(path))
+    yield from redrawn()
+    return View()
