@@ -120,7 +120,8 @@ std::vector<CommonPlace> common_places(const NurbsCurve& of_a, const NurbsCurve&
 
 /// Looks where offsets cross; and, for offsets are known within a tolerance only, where one of them crosses others that are as much
 /// nearer or farther as lets none of those that nearly touch be left out.
-void look_beside(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& sides, const OffsetOptions& beside, FilletSearch& search) {
+void look_beside(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& sides, const OffsetOptions& beside,
+                 FilletSearch& search) {
   constexpr double kMore = 0x1p-18;  // four times the tolerance of an offset
   const std::vector<NurbsCurve> beside_a = offset_parts(a, sides[0], beside);
   for (const double more : {0.0, kMore, -kMore}) {

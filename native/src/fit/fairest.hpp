@@ -57,7 +57,8 @@ std::optional<Approximation<Shape>> fairest(const Shape& same, double tolerance,
     is_told = has_solution;
   };
   for (double middle = kStrongest; high - low > kNear; middle = 0.5 * (low + high)) look(middle);
-  for (int round = 0; round < kMostRounds && error_above > 0.0 && best.error > 0.0 && best.error < kAsLarge * tolerance; ++round) {
+  for (int round = 0; round < kMostRounds && error_above > 0.0 && best.error > 0.0; ++round) {
+    if (best.error >= kAsLarge * tolerance) break;
     look(exponent_between({low, high}, {best.error, error_above}, tolerance));
   }
   if (low > kWeakest || is_told) return best;

@@ -108,6 +108,24 @@ std::vector<bool> steps_beside_peaks(const SeamJets& jets, std::span<const SeamM
   return chosen;
 }
 
+std::vector<double> largest_of(const SeamJets& jets, std::span<const SeamMeasure> measures) {
+  std::vector<double> found;
+  for (const SeamMeasure measure : measures) {
+    const std::size_t at = largest_at(jets, measure);
+    found.push_back(at < jets.places.size() ? measure(jets.a[at], jets.b[at]) : 0.0);
+  }
+  return found;
+}
+
+/// Whether a spike is narrower than what lies between the places.
+bool grows(const std::vector<double>& before, const std::vector<double>& tops) {
+  constexpr double kLittle = 1.005;
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    if (tops[i] > kLittle * before[i]) return true;
+  }
+  return false;
+}
+
 /// With more places in these steps.
 SeamJets closer(const Flank& a, const Flank& b, SeamDepth depth, const SeamJets& jets, const std::vector<bool>& steps) {
   constexpr int kParts = 5;
@@ -164,11 +182,15 @@ SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places
 
 SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::span<const SeamMeasure> measures) {
   constexpr int kRounds = 4;
+  constexpr int kMostRounds = 24;
   SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
-  for (int round = 0; round < kRounds; ++round) {
+  std::vector<double> tops = largest_of(jets, measures);
+  for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<bool> steps = steps_beside_peaks(jets, measures);
     if (std::ranges::find(steps, true) == steps.end()) break;
     jets = closer(a, b, depth, jets, steps);
+    const std::vector<double> before = std::exchange(tops, largest_of(jets, measures));
+    if (round + 1 >= kRounds && !grows(before, tops)) break;
   }
   return jets;
 }

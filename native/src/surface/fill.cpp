@@ -156,7 +156,8 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
   std::size_t next = 0;
   for (int spans = 1;;) {
     const bool is_last = knots.are_all(spans);
-    const ClaimedStar claimed = claimed_star(hole, next == 0 ? knots.with(spans) : knots.graded(hole, spans, kShares[next - 1] * limits.gap));
+    const auto graded = [&] { return knots.graded(hole, spans, kShares[next - 1] * limits.gap); };
+    const ClaimedStar claimed = claimed_star(hole, next == 0 ? knots.with(spans) : graded());
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
     if (!is_last && !limits.are_met(filling)) {
       spans *= 2;

@@ -374,8 +374,11 @@ std::string reason_of(const NetworkTask& task, const FoundSurface& found) {
   const NetworkFamily& family = found.off.is_u ? task.curves.u : task.curves.v;
   const std::string curve = (found.off.is_u ? "along_u" : "along_v") + index_text(family.order[found.off.curve]);
   const std::string left = neighbour_left(found.made.borders, found.off);
-  if (!left.empty()) return curve + " is missed: it does not leave " + left + " in its tangent plane, or lies too near others for that";
-  return curve + " is missed: curves that lie near each other do not meet those that cross them alike, so that no surface has them all";
+  if (!left.empty()) {
+    return curve + " is missed: it does not leave " + left + " in its tangent plane, or lies too near others for that";
+  }
+  return curve +
+         " is missed: curves that lie near each other do not meet those that cross them alike, so that no surface has them all";
 }
 
 /// Where curves pass one another the sum runs between them, and swings by more where they lie unevenly.

@@ -200,7 +200,10 @@ std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const E
   };
   const std::vector<NurbsCurve> curves = along_neighbours(
       [&] { return fitted_together(what, fit).value; },
-      [&] { return fields[which[static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin())]]->name(); });
+      [&] {
+        const auto worst = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
+        return fields[which[worst]]->name();
+      });
   for (std::size_t i = 0; i < which.size(); ++i) {
     std::vector<glm::dvec4> vectors(curves[i].points().begin(), curves[i].points().end());
     for (glm::dvec4& p : vectors) p = glm::dvec4(which[i] == 1 ? -glm::dvec3(p) : glm::dvec3(p), 1.0);

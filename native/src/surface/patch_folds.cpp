@@ -223,7 +223,8 @@ void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole, bool has_c
   }
   for (auto& [turn, part] : parts) turn = corner_turn(part);
   std::ranges::stable_sort(parts, std::ranges::greater(), [](const auto& part) { return part.first; });
-  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1, has_corner ? 0 : whole.apart + 1, false});
+  const int apart = has_corner ? 0 : whole.apart + 1;
+  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1, apart, false});
 }
 
 glm::dvec3 point_at(const NurbsPatch& patch, double u, double v) {
@@ -302,7 +303,7 @@ bool borders_turn(const NurbsPatch& patch, Axis axis, const std::array<double, 2
   return false;
 }
 
-/// The axis along which normals in a cell turn so far that they may turn round within a tolerance; none where borders do so, too.
+/// The axis along which normals in a cell turn so far that they may turn round within a tolerance; none where borders do, too.
 std::optional<Axis> axis_of_turn(const NurbsPatch& patch, const FoldCell& cell, int depth) {
   constexpr int kWide = 3;
   constexpr double kLittle = 0.5;  // in two of three parts of one that turns round
@@ -335,7 +336,9 @@ std::optional<std::array<double, 2>> fold_within(const NurbsPatch& patch, const 
     if (is_regular) {
       const std::optional<Axis> axis = axis_of_turn(patch, one.cell, one.depth);
       if (!axis || one.depth >= kMostInCorner) continue;
-      if (is_small(patch, one.cell, {0, 0}, kHairpin * tolerance)) return std::array{one.cell.middle_u(), one.cell.middle_v()};
+      if (is_small(patch, one.cell, {0, 0}, kHairpin * tolerance)) {
+        return std::array{one.cell.middle_u(), one.cell.middle_v()};
+      }
       auto [low, high] = halves(one.cell, *axis);
       for (FoldCell* const half : {&low, &high}) left.push_back({std::move(*half), one.depth + 1, one.apart, true});
       continue;
@@ -359,8 +362,10 @@ double crease_limit(const NurbsPatch& patch, Axis axis, double knot) {
   return std::cos(std::clamp(turn, 0.5 * std::numbers::pi, std::numbers::pi));
 }
 
-/// A corner of two cells, one behind the other along an axis, beside which normals turn round, at a crease more sharply than its borders.
-std::optional<std::array<double, 2>> fold_between(const NurbsPatch& patch, const FoldCell& one, const FoldCell& next, Axis axis) {
+/// A corner of two cells, one behind the other along an axis, beside which normals turn round, at a crease more sharply than its
+/// borders.
+std::optional<std::array<double, 2>> fold_between(const NurbsPatch& patch, const FoldCell& one, const FoldCell& next,
+                                                  Axis axis) {
   constexpr double kNoise = 1e-9;
   const KnotVector& knots = patch.knot_vector(axis);
   const bool is_u = axis == Axis::u;
@@ -376,7 +381,9 @@ std::optional<std::array<double, 2>> fold_between(const NurbsPatch& patch, const
     const std::size_t behind = ahead + (is_u ? 2 : 1);
     const glm::dvec3 left = normal_in(one, behind);
     const glm::dvec3 right = normal_in(next, ahead);
-    if (glm::dot(left, right) < limit * length_of(left) * length_of(right)) return std::array{next.u[ahead / 2], next.v[ahead % 2]};
+    if (glm::dot(left, right) < limit * length_of(left) * length_of(right)) {
+      return std::array{next.u[ahead / 2], next.v[ahead % 2]};
+    }
   }
   return {};
 }

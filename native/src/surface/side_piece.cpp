@@ -175,20 +175,22 @@ std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
   const PlacesAtKnots at(s, curve_.knot_vector());
   std::vector<HolePlace> found(s.size());
   if (!neighbour_) {
-    const std::vector<glm::dvec3> values = at.means(3, [&](std::span<const double> here, Side side, std::span<double> out) {
+    const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
       derivatives(curve_, here, 2, out, {.side = side});
-    });
+    };
+    const std::vector<glm::dvec3> values = at.means(3, write);
     for (std::size_t i = 0; i < s.size(); ++i) {
       found[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2], glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
     }
     return found;
   }
   const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
-  const std::vector<glm::dvec3> values = at.means(9, [&](std::span<const double> here, Side side, std::span<double> out) {
+  const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
     PatchOptions options;
     options.side_u = side;
     derivatives(neighbour_->patch, here, end, 2, out, options);
-  });
+  };
+  const std::vector<glm::dvec3> values = at.means(9, write);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const glm::dvec3* const d = &values[9 * i];  // by u and v: [k][l]
     const glm::dvec3 moved = (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];

@@ -76,7 +76,8 @@ double distance_from_polynomial(const HoleSide& side, const PartOfSide& part, co
 }
 
 /// Adds the knots at which a span is halved, and halved again, until polynomials are near to what runs beside it.
-void add_halvings(const Hole& hole, std::span<const PartOfSide> beside, const Interval& whole, const NearPolynomial& wanted, std::vector<double>& knots) {
+void add_halvings(const Hole& hole, std::span<const PartOfSide> beside, const Interval& whole, const NearPolynomial& wanted,
+                  std::vector<double>& knots) {
   constexpr double kShortest = 0x1p-40;
   constexpr std::size_t kMostKnots = 512;
   std::vector<Interval> left{whole};
@@ -163,7 +164,9 @@ std::vector<KnotPair> StarKnots::graded(const Hole& hole, int spans, double tole
   for (std::size_t run = 0; run < inner_.size(); ++run) {
     const KnotVector even = of_run(run, spans);
     std::vector<double> knots(even.knots().begin(), even.knots().end());
-    for (int i = 0; i < static_cast<int>(even.spans().size()); ++i) add_halvings(hole, beside[run], even.span_interval(i), {degree_, tolerance}, knots);
+    for (int i = 0; i < static_cast<int>(even.spans().size()); ++i) {
+      add_halvings(hole, beside[run], even.span_interval(i), {degree_, tolerance}, knots);
+    }
     std::ranges::sort(knots);
     runs.push_back(KnotVector::make(degree_, std::move(knots)));
   }
