@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -73,9 +74,11 @@ bool is_level_at(const SeamJets& jets, SeamMeasure measure, std::size_t at) {
   return (at == 0 || is_same(at - 1)) && (at + 1 == jets.places.size() || is_same(at + 1));
 }
 
-/// Places at which a measure is larger than beside them, and nearly as large as anywhere.
+/// Places at which a measure is larger than beside them: nearly as large as anywhere, or among the largest of these, for a spike
+/// may be higher than where it was met.
 std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   constexpr double kHigh = 0.7;
+  constexpr std::size_t kMost = 8;
   const std::size_t top = largest_at(jets, measure);
   const std::size_t count = jets.places.size();
   if (top == count) return {};
@@ -84,9 +87,12 @@ std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_lower = (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i]);
-    if (is_lower || !(values[i] >= kHigh * values[top])) continue;
-    if (!is_level_at(jets, measure, i)) found.push_back(i);
+    if (!is_lower && values[i] > 0.0 && !is_level_at(jets, measure, i)) found.push_back(i);
   }
+  std::ranges::stable_sort(found, std::ranges::greater(), [&](std::size_t i) { return values[i]; });
+  const auto is_low = [&](std::size_t i) { return !(values[i] >= kHigh * values[top]); };
+  const auto low = std::ranges::find_if(found, is_low) - found.begin();
+  found.resize(std::min(found.size(), std::max(kMost, static_cast<std::size_t>(low))));
   return found;
 }
 
