@@ -128,7 +128,7 @@ def test_the_surface_is_the_same_from_any_side_on_reversed_and_moved(inputs):
             wants = grids(here) if matrix is None else [one @ matrix[:, :3].T + matrix[:, 3] for one in grids(here)]
             differences.append(apart(wants, grids(there)))
     differences = np.array(differences)
-    assert parted <= 0.02 * wanted and (differences <= 1e-4).mean() >= 0.95 and differences.max() <= 1e-2
+    assert parted <= 0.02 * wanted and differences.max() <= 1e-4
 
 
 def crossed_strip(depth):
