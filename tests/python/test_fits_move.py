@@ -70,7 +70,7 @@ def test_rebuilt_curves(inputs):
 
 
 def test_faired_curves(inputs):
-    """The multiple of the energy is found to an eighth of a power of two, which is what may differ."""
+    """Up to how far the largest multiple of the energy is found."""
     made_count = 0
     for seed in range(inputs(1000)):
         rng, curve, size, far, motion = task(seed, 2, 1e4)
@@ -84,7 +84,7 @@ def test_faired_curves(inputs):
         plain, moved, back = made
         points = at_shares(plain.value)
         assert off(points, at_shares(curve)) <= plain.error * (1 + 1e-9) + 1e-13 * size <= tolerance + 1e-13 * size, seed
-        slack = 0.1 * tolerance + 1e-13 * far * size
+        slack = 0.01 * tolerance + 1e-13 * far * size
         assert off(points, moved_back(at_shares(moved.value), motion)) <= slack, seed
         assert off(points, at_shares(back.value, True)) <= slack, seed
         assert abs(plain.error - moved.error / scale) <= slack and abs(plain.error - back.error) <= slack, seed

@@ -6,6 +6,9 @@ import splinecore as sc
 from splinecore import build
 
 
+ROUGH = 1e-3  # curves inside need not be met closely for edges to stay edges to the last digits
+
+
 def spline(rng, is_closed, is_rational, degree):
     if is_closed:
         count = int(rng.integers(degree + 3, 14))
@@ -66,25 +69,25 @@ def edge_and_network(rng):
 def test_an_edge_stays_an_edge(inputs):
     """Closed and open, rational and not, with uneven knots, against and along, at one pace with the opposite curve or not."""
     tried = made_count = 0
-    for seed in range(inputs(300)):
+    for seed in range(inputs(1000)):
         rng = np.random.default_rng([seed, 51])
         drawn = edge_and_network(rng)
         if drawn is None:
             continue
         patch, edge, along_u, along_v, is_even = drawn
         tried += 1
+        size = np.ptp(edge.points, axis=0).max()
         try:
-            made = build.network(along_u, along_v)
+            made = build.network(along_u, along_v, tolerance=ROUGH * size)
         except sc.ToleranceNotReached as refused:
             assert "spans" in str(refused), (seed, refused)
             continue
         made_count += 1
         together = sc.PatchSet.from_patches([patch, made.value])
         assert any({a[0], b[0]} == {0, 1} for a, b in together.seams()), seed
-        size = np.ptp(edge.points, axis=0).max()
         kept = [pace for pace in made.paces if pace is not None]
         assert sum(pace <= 1e-11 * size for pace in kept) >= len(kept) - (0 if is_even else 1), (seed, made.paces)
-    assert made_count > 0.97 * tried > 0.5 * inputs(300)
+    assert made_count > 0.97 * tried > 0.485 * inputs(1000)
 
 
 def test_paces_are_how_far_the_sides_are_off(inputs):
@@ -96,7 +99,7 @@ def test_paces_are_how_far_the_sides_are_off(inputs):
         if drawn is None or drawn[4] or drawn[1].periodic:
             continue
         try:
-            made = build.network(drawn[2], drawn[3])
+            made = build.network(drawn[2], drawn[3], tolerance=ROUGH)
         except sc.ToleranceNotReached:
             continue
         for border, pace, curve in zip(('v_start', 'v_end'), made.paces[2:], drawn[2]):

@@ -135,5 +135,5 @@ def test_what_is_no_neighbour_is_refused_by_name(neighbours, error, words):
 
 
 def test_curves_that_leave_the_tangent_planes_are_refused_and_it_is_said_how_far():
-    with pytest.raises(sc.ToleranceNotReached, match="tangent plane"):
+    with pytest.raises(sc.ToleranceNotReached, match=r"along_v\[\d\] is missed: it does not leave neighbours\[0\] in its tangent plane"):
         build.network(*lines(0.8), neighbours=[(flat(0, 1, -1, 0), "v_end", "G1")])

@@ -116,20 +116,20 @@ def open_edges(tessellation):
 OPPOSITE = {'u_start': 'u_end', 'u_end': 'u_start', 'v_start': 'v_end', 'v_end': 'v_start'}
 
 
-def open_along(tessellation, index, side):
-    """How many edges of one face alone run along a side of a patch: both ends at the parameter of the side."""
+def open_along(tessellation, found, index, side):
+    """How many of the open edges run along a side of a patch: both ends at the parameter of the side."""
     uvs, patches = np.array(tessellation.corner_uvs), np.array(tessellation.face_patches)
     axis, limit = 0 if side[0] == 'u' else 1, 1.0 if side.endswith('end') else 0.0
-    found = open_edges(tessellation)
     found = found[patches[found[:, 0]] == index]
     return np.count_nonzero((np.abs(uvs[found[:, 1:], axis] - limit) <= 1e-6).all(axis=1))
 
 
 def require_no_open_seam(tessellation, first_side, second_side, is_lid):
+    found = open_edges(tessellation)
     for index, side in ((0, first_side), (1, 'v_start'), (1, 'v_end'), (2, second_side)):
-        assert open_along(tessellation, index, side) == 0, (index, side)
-    assert open_along(tessellation, 0, OPPOSITE[first_side]) > 0
-    assert is_lid or open_along(tessellation, 2, OPPOSITE[second_side]) > 0
+        assert open_along(tessellation, found, index, side) == 0, (index, side)
+    assert open_along(tessellation, found, 0, OPPOSITE[first_side]) > 0
+    assert is_lid or open_along(tessellation, found, 2, OPPOSITE[second_side]) > 0
 
 
 def test_meshes_of_rounded_edges_have_no_open_seams(inputs):

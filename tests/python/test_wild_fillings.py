@@ -128,7 +128,7 @@ def test_the_surface_is_the_same_from_any_side_on_reversed_and_moved(inputs):
             wants = grids(here) if matrix is None else [one @ matrix[:, :3].T + matrix[:, 3] for one in grids(here)]
             differences.append(apart(wants, grids(there)))
     differences = np.array(differences)
-    assert parted <= 0.02 * wanted and (differences <= 1e-4).mean() >= 0.95 and differences.max() <= 1e-2
+    assert parted <= 0.02 * wanted and differences.max() <= 1e-4
 
 
 def crossed_strip(depth):
@@ -247,3 +247,45 @@ def test_kinks_within_a_side_are_followed_or_refused(count, kink):
     points += 0.3 * kink * (1 - np.abs(np.linspace(-1, 1, len(points))))[:, None, None] * np.array([-way[1], way[0], 0])
     for word in ("G0", "G1"):
         checked([(patch.with_points(points), "v_start", word), *((one, side, word) for one, side, _ in around[1:])])
+
+
+@pytest.mark.parametrize("lift", [0, 1e-8, 1e-7, 5e-7])
+@pytest.mark.parametrize("size", [1e-6, 1, 1e6])
+def test_a_twist_within_the_tolerance_is_a_fold(lift, size):
+    """Two sides that cross above one another: normals turn round between them, without a place that has none, or all along a line."""
+    corners = size * np.array([(0, 0, 0), (1, 1, 0), (1, 0, lift), (0, 1, lift)])
+    sides = [sc.BezierCurve([a, b]) for a, b in zip(corners, np.roll(corners, -1, 0))]
+    with pytest.raises(sc.InvalidShape, match="turns back over itself at"):
+        build.fill(sides)
+    with pytest.raises(sc.InvalidShape, match="turns back over itself at"):
+        build.fill([sc.NurbsCurve(1, [0, 0, 0.5, 1, 1], [a, (a + b) / 2, b]) for a, b in zip(corners, np.roll(corners, -1, 0))])
+
+
+def test_a_twist_far_wider_than_the_tolerance_is_none():
+    corners = np.array([(0, 0, 0), (1, 1, 0), (1, 0, 1e-3), (0, 1, 1e-3)])
+    build.fill([sc.BezierCurve([a, b]) for a, b in zip(corners, np.roll(corners, -1, 0))])
+
+
+@pytest.mark.parametrize("bow", [0, 0.1, 0.3])
+@pytest.mark.parametrize("weight", [1000, 300, 30, 1 / 30, 1 / 300])
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_four_curves_of_steep_weights_are_filled(count, weight, bow):
+    corners, sides = np.array([(0, 0, 0), (1, 0, 0.1), (1, 1, 0), (0, 1, 0.2)]), []
+    for start, end in zip(corners, np.roll(corners, -1, 0)):
+        out = bow * np.array([(end - start)[1], (start - end)[0], 0])
+        weights = [1, weight, weight, 1] if len(sides) < count else None
+        sides.append(sc.BezierCurve([start, start + (end - start) / 3 + out, end - (end - start) / 3 + out, end], weights))
+    assert checked(sides) is not None
+
+
+def test_a_kink_of_a_neighbor_is_followed_alike_from_either_end():
+    """Derivatives jump there: what leaves it is the mean of both. At the middle, where patches meet, those have no common tangent plane."""
+    around = polygon_hole(5, "G2", 0.3)
+    for at, most in ((0.3, 1e-6), (0.5, 2e-3), (0.726, 1e-6)):
+        sides = [patch.boundary(side) for patch, side, _ in around]
+        patch = around[0][0].to_nurbs()
+        ends = np.array(patch.points)[[0, -1], :, :]
+        kinked = np.stack([ends[0], (1 - at) * ends[0] + at * ends[1] + (0, 0, 0.05), ends[1]])
+        sides[0] = (sc.NurbsPatch((1, patch.degree[1]), ([0, 0, at, 1, 1], patch.knots[1]), kinked), "v_start", "G2")
+        here, there = filled(sides, 1e-3), filled(sides[::-1], 1e-3)
+        assert here is not None and apart(grids(here), grids(there)) <= most

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "splinecore/base/pause.hpp"
@@ -33,11 +34,27 @@ bool is_nearly_straight(const BoxPair& pair) {
   return pair.first.half_angle() < kStraight && pair.second.half_angle() < kStraight;
 }
 
+/// Whether tangents are seen to cross everywhere, so that there is one place at most that touches both.
+bool cross_once(const BoxPair& pair) {
+  const glm::dvec2& a = pair.first.way();
+  const glm::dvec2& b = pair.second.way();
+  const double between = std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
+  const double room = pair.first.half_angle() + pair.second.half_angle();
+  return between > room && between < std::numbers::pi - room;
+}
+
+/// Whether what touches both there is one arc, as far as arcs are told apart.
+bool are_one_place(const BoxPair& pair, double radius) {
+  constexpr double kSamePlace = 0x1p-22;
+  return std::max(pair.first.size(), pair.second.size()) <= kSamePlace * radius;
+}
+
 }  // namespace
 
 CrossingSearch::CrossingSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)
     : view_(normal),
       both_(a, b, normal, sides),
+      radius_(std::abs(sides[0])),
       reach_(std::max(0x1p-5 * std::abs(sides[0]), 0x1p-9)),
       beside_a_(offset_boxes(a, view_, sides[0])),
       beside_b_(offset_boxes(b, view_, sides[1])) {}
@@ -64,7 +81,7 @@ std::vector<Fillet> CrossingSearch::near(const glm::dvec3& centre) const {
       const auto made = both_.near(pair.first.part().middle(), pair.second.part().middle());
       if (made && holds(pair, *made)) {
         if (made->fillet) found.push_back(*made->fillet);
-        continue;
+        if (cross_once(pair) || are_one_place(pair, radius_)) continue;
       }
     }
     const bool can_a = can_be_halved(pair.first);

@@ -31,6 +31,7 @@ class CrossingSearch {
  private:
   PlaneView view_;
   BesideBoth both_;
+  double radius_;
   double reach_;  ///< how far from a crossing of offsets that are not exact the right one may be
   std::vector<OffsetBox> beside_a_;
   std::vector<OffsetBox> beside_b_;

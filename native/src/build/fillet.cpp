@@ -1,6 +1,7 @@
 #include "splinecore/build/fillet.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -41,33 +42,48 @@ std::vector<double> touching_parameters(const NurbsCurve& curve, const glm::dvec
   return found;
 }
 
+/// A place that two offsets have in common: where they cross, or the end of a stretch.
+struct CommonPlace {
+  glm::dvec3 at;
+  bool is_of_stretch;
+};
+
 /// All fillets with their centres at crossings of offsets.
 class FilletSearch {
  public:
   FilletSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal) : a_(a), b_(b), normal_(normal) {}
 
   /// @throws CrossingUndecided
-
-  void look(double side_a, double side_b, const glm::dvec3& centre) {
+  void look(double side_a, double side_b, const CommonPlace& place) {
+    const glm::dvec3& centre = place.at;
     const BesideBoth circle(a_, b_, normal_, {side_a, side_b});
     const double radius = std::abs(side_a);
     const std::vector<double> on_b = touching_parameters(b_, centre, radius);
-    bool has_one = false;
+    bool is_sure = false;
     for (const double u : touching_parameters(a_, centre, radius)) {
       for (const double v : on_b) {
         const auto made = circle.near(u, v);
-        has_one = has_one || made.has_value();
+        is_sure = is_sure || (made && (place.is_of_stretch || !(made->fillet && is_shallow(*made->fillet, radius))));
         if (made && made->fillet) add(*made->fillet, radius);
       }
     }
-    if (has_one) return;
-    // Offsets are known within a tolerance only, and have arcs and lines at corners: a crossing may stand for no arc.
+    if (is_sure) return;
+    // Offsets are known within a tolerance only, and have arcs and lines at corners: a crossing may stand for no arc, or, of curves that
+    // nearly touch, for two.
     for (const Fillet& made : CrossingSearch(a_, b_, normal_, {side_a, side_b}).near(centre)) add(made, radius);
   }
 
   std::vector<Fillet> found() && { return std::move(found_); }
 
  private:
+  /// Whether tangents at both ends are nearly one: there may be another such arc near it.
+  static bool is_shallow(const Fillet& made, double radius) {
+    constexpr double kShallow = 0x1p-4;
+    const glm::dvec3 from = glm::dvec3(made.arc.points().front()) - made.centre;
+    const glm::dvec3 to = glm::dvec3(made.arc.points().back()) - made.centre;
+    return glm::length(glm::cross(from / radius, to / radius)) <= kShallow;
+  }
+
   void add(const Fillet& made, double radius) {
     if (!is_known(made, radius)) found_.push_back(made);
   }
@@ -91,15 +107,31 @@ class FilletSearch {
 };
 
 /// Where two offsets cross, and the ends of stretches that they have in common.
-std::vector<glm::dvec3> common_places(const NurbsCurve& of_a, const NurbsCurve& of_b) {
+std::vector<CommonPlace> common_places(const NurbsCurve& of_a, const NurbsCurve& of_b) {
   const CurveIntersections common = intersections(of_a, of_b);
-  std::vector<glm::dvec3> found;
-  for (const CurveIntersection& place : common.places) found.push_back(place.point);
+  std::vector<CommonPlace> found;
+  for (const CurveIntersection& place : common.places) found.push_back({place.point, false});
   for (const CurveOverlap& stretch : common.overlaps) {
-    found.push_back(point_at(of_a, stretch.a.start));
-    found.push_back(point_at(of_a, stretch.a.end));
+    found.push_back({point_at(of_a, stretch.a.start), true});
+    found.push_back({point_at(of_a, stretch.a.end), true});
   }
   return found;
+}
+
+/// Looks where offsets cross; and, for offsets are known within a tolerance only, where one of them crosses others that are as much
+/// nearer or farther as lets none of those that nearly touch be left out.
+void look_beside(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& sides, const OffsetOptions& beside,
+                 FilletSearch& search) {
+  constexpr double kMore = 0x1p-18;  // four times the tolerance of an offset
+  const std::vector<NurbsCurve> beside_a = offset_parts(a, sides[0], beside);
+  for (const double more : {0.0, kMore, -kMore}) {
+    if (std::abs(more) >= std::abs(sides[1])) continue;
+    for (const NurbsCurve& of_b : offset_parts(b, sides[1] + more, beside)) {
+      for (const NurbsCurve& of_a : beside_a) {
+        for (const CommonPlace& place : common_places(of_a, of_b)) search.look(sides[0], sides[1], place);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -120,14 +152,7 @@ std::vector<Fillet> fillets(const NurbsCurve& given_a, const NurbsCurve& given_b
   FilletSearch search(a, b, up);
   try {
     for (const double side_a : {radius, -radius}) {
-      const std::vector<NurbsCurve> beside_a = offset_parts(a, side_a, beside);
-      for (const double side_b : {radius, -radius}) {
-        for (const NurbsCurve& of_b : offset_parts(b, side_b, beside)) {
-          for (const NurbsCurve& of_a : beside_a) {
-            for (const glm::dvec3& centre : common_places(of_a, of_b)) search.look(side_a, side_b, centre);
-          }
-        }
-      }
+      for (const double side_b : {radius, -radius}) look_beside(a, b, {side_a, side_b}, beside, search);
     }
   } catch (const CrossingUndecided& open) {
     throw InvalidShape("whether an arc of the radius about " + place_text(space.leave(open.centre)) +

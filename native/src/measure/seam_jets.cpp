@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -73,9 +74,11 @@ bool is_level_at(const SeamJets& jets, SeamMeasure measure, std::size_t at) {
   return (at == 0 || is_same(at - 1)) && (at + 1 == jets.places.size() || is_same(at + 1));
 }
 
-/// Places at which a measure is larger than beside them, and nearly as large as anywhere.
+/// Places at which a measure is larger than beside them: nearly as large as anywhere, or among the largest of these, for a spike
+/// may be higher than where it was met.
 std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   constexpr double kHigh = 0.7;
+  constexpr std::size_t kMost = 8;
   const std::size_t top = largest_at(jets, measure);
   const std::size_t count = jets.places.size();
   if (top == count) return {};
@@ -84,9 +87,12 @@ std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < count; ++i) {
     const bool is_lower = (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i]);
-    if (is_lower || !(values[i] >= kHigh * values[top])) continue;
-    if (!is_level_at(jets, measure, i)) found.push_back(i);
+    if (!is_lower && values[i] > 0.0 && !is_level_at(jets, measure, i)) found.push_back(i);
   }
+  std::ranges::stable_sort(found, std::ranges::greater(), [&](std::size_t i) { return values[i]; });
+  const auto is_low = [&](std::size_t i) { return !(values[i] >= kHigh * values[top]); };
+  const auto low = std::ranges::find_if(found, is_low) - found.begin();
+  found.resize(std::min(found.size(), std::max(kMost, static_cast<std::size_t>(low))));
   return found;
 }
 
@@ -106,6 +112,24 @@ std::vector<bool> steps_beside_peaks(const SeamJets& jets, std::span<const SeamM
     }
   }
   return chosen;
+}
+
+std::vector<double> largest_of(const SeamJets& jets, std::span<const SeamMeasure> measures) {
+  std::vector<double> found;
+  for (const SeamMeasure measure : measures) {
+    const std::size_t at = largest_at(jets, measure);
+    found.push_back(at < jets.places.size() ? measure(jets.a[at], jets.b[at]) : 0.0);
+  }
+  return found;
+}
+
+/// Whether a spike is narrower than what lies between the places.
+bool grows(const std::vector<double>& before, const std::vector<double>& tops) {
+  constexpr double kLittle = 1.005;
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    if (tops[i] > kLittle * before[i]) return true;
+  }
+  return false;
 }
 
 /// With more places in these steps.
@@ -164,11 +188,15 @@ SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places
 
 SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::span<const SeamMeasure> measures) {
   constexpr int kRounds = 4;
+  constexpr int kMostRounds = 24;
   SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
-  for (int round = 0; round < kRounds; ++round) {
+  std::vector<double> tops = largest_of(jets, measures);
+  for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<bool> steps = steps_beside_peaks(jets, measures);
     if (std::ranges::find(steps, true) == steps.end()) break;
     jets = closer(a, b, depth, jets, steps);
+    const std::vector<double> before = std::exchange(tops, largest_of(jets, measures));
+    if (round + 1 >= kRounds && !grows(before, tops)) break;
   }
   return jets;
 }

@@ -1,6 +1,7 @@
 #include "splinecore/surface/fill.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -21,6 +22,7 @@
 #include "star_filling.hpp"
 #include "star_knots.hpp"
 #include "splinecore/base/errors.hpp"
+#include "splinecore/surface/coons.hpp"
 
 namespace splinecore {
 
@@ -146,15 +148,25 @@ Filling round_filled(const Hole& hole, const FillLimits& limits) {
   return is_folded(filling, limits) ? round_filled(hole, limits, LeavingWay::nearest) : filling;
 }
 
-/// Patches round a point, or one; with the most spans where the limits are not met. None where the sides are not reached.
+/// Patches round a point, or one; with the most spans where the limits are not met. Where sides are missed, with shorter ones
+/// where these need them; a gap above the limit where that is in vain.
 Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& limits) {
+  constexpr std::array kShares{0x1p-2, 0x1p-5, 0x1p-9};  // of the gap, for polynomials on spans
   const StarKnots knots(hole);
-  for (int spans = 1;; spans *= 2) {
+  std::size_t next = 0;
+  for (int spans = 1;;) {
     const bool is_last = knots.are_all(spans);
-    const ClaimedStar claimed = claimed_star(hole, knots.with(spans));
+    const auto graded = [&] { return knots.graded(hole, spans, kShares[next - 1] * limits.gap); };
+    const ClaimedStar claimed = claimed_star(hole, next == 0 ? knots.with(spans) : graded());
     Filling filling = seen_along_sides(hole, star_parts(hole), claimed.patches(), is_last ? std::nullopt : std::optional(limits));
-    if (!is_last && !limits.are_met(filling)) continue;
-    if (filling.gap > limits.gap && !knots.are_most(spans)) continue;
+    if (!is_last && !limits.are_met(filling)) {
+      spans *= 2;
+      continue;
+    }
+    if (filling.gap > limits.gap && next < kShares.size()) {
+      ++next;
+      continue;
+    }
     if (filling.gap > limits.gap) {
       filling.patches = claimed.patches();
       return filling;
@@ -162,6 +174,7 @@ Filling star_filled(const Hole& hole, const HoleGuide* guide, const FillLimits& 
     filling.patches = solved(hole, claimed, guide);
     filling.inner_angle = angle_between_patches(filling.patches, Border::v_end);
     if (is_last || limits.are_met(filling)) return filling;
+    spans *= 2;
   }
 }
 
@@ -208,6 +221,33 @@ bool goes_on_somewhere(const Hole& hole) {
   return std::ranges::any_of(hole.sides, [](const HoleSide& side) { return side.continuity() > 0; });
 }
 
+/// A Coons patch of four curves, with their weights: of straight lines between them, or of cubics, which keeps their pace. None
+/// where each has a weight that is not above 0, or folds.
+std::optional<Filling> coons_filled(const Hole& hole, const FillLimits& limits) {
+  const auto of_lines = [&] {
+    std::vector<NurbsCurve> curves;
+    for (const HoleSide& side : hole.sides) curves.push_back(side.curve());
+    return coons(curves, limits.gap).value;
+  };
+  const auto of_cubics = [&] {
+    const BorderPairs borders = hole_borders(hole);
+    return bicubic_sum(borders.along_u, borders.along_v).patch;
+  };
+  const auto filled_with = [&](const auto& make) -> std::optional<Filling> {
+    try {
+      const NurbsPatch patch = make();
+      if (!have_positive_weights(patch.points())) return {};
+      Filling filling = seen_along_sides(hole, star_parts(hole), {patch});
+      filling.patches = {patch};
+      return filling.gap > limits.gap || is_folded(filling, limits) ? std::nullopt : std::optional(std::move(filling));
+    } catch (const InvalidShape&) {
+      return {};  // weights of both signs at the ends of a curve: the star's own fault is said
+    }
+  };
+  std::optional<Filling> filling = filled_with(of_lines);
+  return filling ? filling : filled_with(of_cubics);
+}
+
 Filling filled(Hole& hole, const FillLimits& limits) {
   const bool goes_on = goes_on_somewhere(hole);
   if (goes_on && is_round(hole)) return round_filled(hole, limits);
@@ -218,6 +258,10 @@ Filling filled(Hole& hole, const FillLimits& limits) {
   if (is_sound && limits.are_met(*exact)) return *exact;
   const bool has_guide = goes_on && hole.share < 1.0;
   Filling star = has_guide ? fairest_star(hole, given, limits) : star_filled(hole, nullptr, limits);
+  if (!goes_on && hole.share == 1.0 && (star.gap > limits.gap || is_folded(star, limits))) {
+    std::optional<Filling> of_curves = coons_filled(hole, limits);
+    if (of_curves) return *std::move(of_curves);
+  }
   const bool is_better = star.gap <= limits.gap && (limits.are_met(star) || !is_sound || is_less(star.angle, exact->angle));
   return exact && !is_better ? *exact : star;
 }

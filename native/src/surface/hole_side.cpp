@@ -1,6 +1,7 @@
 #include "hole_side.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
@@ -130,8 +131,18 @@ std::vector<glm::dvec3> HoleSide::points(std::span<const double> s) const {
 }
 
 std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
-  return gathered<glm::dvec3>(
+  constexpr double kRounding = 0x1p-46;
+  std::vector<glm::dvec3> found = gathered<glm::dvec3>(
       s, [&](const PlacedPiece& one, std::span<const double> inside) { return one.piece.across(inside, order); });
+  const double start[] = {0.0};
+  const double end[] = {1.0};
+  for (std::size_t k = 1; k < pieces_.size(); ++k) {
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      if (std::abs(s[i] - pieces_[k].from) > kRounding) continue;
+      found[i] = 0.5 * (pieces_[k - 1].piece.across(end, order).front() + pieces_[k].piece.across(start, order).front());
+    }
+  }
+  return found;
 }
 
 void HoleSide::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2) {

@@ -239,24 +239,34 @@ std::vector<double> distances_at(const PacedFamily& family, std::size_t i, const
   return distances;
 }
 
+/// How far a curve of the family that is missed most is off, which one that is, and where along it.
+struct FarthestOff {
+  double distance = 0.0;
+  bool is_u = false;
+  std::size_t curve = 0;
+  double share = 0.0;
+};
+
 /// The largest distance of curves from the lines of the patch on which they are to lie, looked for closer about where it is.
-double distance_from(const NurbsPatch& patch, const PacedFamily& family, std::span<const double> others, Axis axis) {
+FarthestOff farthest_off(const NurbsPatch& patch, const PacedFamily& family, std::span<const double> others, Axis axis) {
   constexpr int kParts = 24;
-  double largest = 0.0;
+  FarthestOff found;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     const NurbsCurve line = isocurve(patch, axis, others[i]);
     const std::vector<double> places = span_places(family.curves[i], line, family.wanted);
     breathe(places.size());
     const std::vector<double> distances = distances_at(family, i, line, places);
     const auto at = static_cast<std::size_t>(std::ranges::max_element(distances) - distances.begin());
-    largest = std::max(largest, distances[at]);
     const double from = places[at > 0 ? at - 1 : 0];
     const double to = places[std::min(at + 1, places.size() - 1)];
     std::vector<double> closer;
     for (int k = 1; k < kParts; ++k) closer.push_back(from + (to - from) * k / kParts);
-    largest = std::max(largest, std::ranges::max(distances_at(family, i, line, closer)));
+    const double distance = std::max(distances[at], std::ranges::max(distances_at(family, i, line, closer)));
+    if (!(distance > found.distance)) continue;
+    const Interval domain = family.curves[i].domain();
+    found = {distance, axis == Axis::v, i, (places[at] - domain.start) / domain.length()};
   }
-  return largest;
+  return found;
 }
 
 std::vector<glm::dvec4> points_of(std::span<const NurbsCurve> a, std::span<const NurbsCurve> b) {
@@ -298,19 +308,25 @@ struct NetworkTask {
   double unit;
 };
 
-struct FoundSurface {
-  GordonNet net;
+struct BorderedPatch {
   NurbsPatch patch;
-  double error;
+  NetworkBorders borders;
 };
 
-NurbsPatch patch_of(GordonNet whole, const NetworkTask& task) {
+struct FoundSurface {
+  GordonNet net;
+  BorderedPatch made;
+  FarthestOff off;
+};
+
+BorderedPatch patch_of(GordonNet whole, const NetworkTask& task) {
   add_others_to_closed(whole.u, whole.v);
   add_others_to_closed(whole.v, whole.u);
   whole.borders = network_borders(whole.u, whole.v, task.beyond, task.within, task.unit);
   make_compatible(whole.u, whole.borders.along_u);
   make_compatible(whole.v, whole.borders.along_v);
-  return summed(whole);
+  NurbsPatch patch = summed(whole);
+  return {std::move(patch), std::move(whole.borders)};
 }
 
 bool are_positive(const PacedFamily& family) {
@@ -323,20 +339,46 @@ FoundSurface found_surface(const NetworkTask& task, double fit) {
   const NetworkFamily& v = task.curves.v;
   GordonNet net{paced(u, !v.is_closed), paced(v, !u.is_closed), {}};
   let_meet(net, !task.beyond.empty(), fit);
-  NurbsPatch patch = patch_of(net, task);
+  BorderedPatch made = patch_of(net, task);
+  NurbsPatch& patch = made.patch;
   if (!have_positive_weights(patch.points()) && are_positive(net.u) && are_positive(net.v)) {
     for (PacedFamily* family : {&net.u, &net.v}) repace(*family, 0.5 * fit);
-    patch = patch_of(net, task);
+    made = patch_of(net, task);
   }
   if (!is_rational(net.u) && !is_rational(net.v)) patch = with_weights_one(patch);
-  const auto error_of = [&](const NurbsPatch& one) {
-    return std::max(distance_from(one, net.u, net.v.wanted, Axis::v), distance_from(one, net.v, net.u.wanted, Axis::u));
+  const auto off_of = [&](const NurbsPatch& one) {
+    const FarthestOff of_u = farthest_off(one, net.u, net.v.wanted, Axis::v);
+    const FarthestOff of_v = farthest_off(one, net.v, net.u.wanted, Axis::u);
+    return of_u.distance >= of_v.distance ? of_u : of_v;
   };
-  const double error = error_of(patch);
-  if (error > task.within) return {std::move(net), std::move(patch), error};
-  patch = with_outermost(patch, net.u, net.v);
-  const double with_sides = error_of(patch);
-  return {std::move(net), std::move(patch), with_sides};
+  FarthestOff off = off_of(patch);
+  if (off.distance <= task.within) {
+    patch = with_outermost(patch, net.u, net.v);
+    off = off_of(patch);
+  }
+  return {std::move(net), std::move(made), off};
+}
+
+/// Of the neighbour from which a curve is to go on there; none where there is none.
+std::string neighbour_left(const NetworkBorders& borders, const FarthestOff& off) {
+  const std::array<std::string, 2>& crossed = off.is_u ? borders.names_v : borders.names_u;
+  const std::array<std::string, 2>& beside = off.is_u ? borders.names_u : borders.names_v;
+  const std::size_t nearer = off.share < 0.5 ? 0 : 1;
+  for (const std::string& name : {crossed[nearer], crossed[1 - nearer], beside[0], beside[1]}) {
+    if (!name.empty()) return name;
+  }
+  return {};
+}
+
+std::string reason_of(const NetworkTask& task, const FoundSurface& found) {
+  const NetworkFamily& family = found.off.is_u ? task.curves.u : task.curves.v;
+  const std::string curve = (found.off.is_u ? "along_u" : "along_v") + index_text(family.order[found.off.curve]);
+  const std::string left = neighbour_left(found.made.borders, found.off);
+  if (!left.empty()) {
+    return curve + " is missed: it does not leave " + left + " in its tangent plane, or lies too near others for that";
+  }
+  return curve +
+         " is missed: curves that lie near each other do not meet those that cross them alike, so that no surface has them all";
 }
 
 /// Where curves pass one another the sum runs between them, and swings by more where they lie unevenly.
@@ -348,12 +390,9 @@ FoundSurface surface_within(const NetworkTask& task) {
   FoundSurface found = found_surface(task, task.fit);
   const auto are_given = [](const PacedFamily& family) { return family.is_there() && !is_rational(family); };
   const bool is_fitted = !are_given(found.net.u) || !are_given(found.net.v);
-  if (found.error > task.within && is_fitted) found = found_surface(task, kCloser * task.fit);
-  if (found.error <= task.within) return found;
-  const char* const reason = task.beyond.empty()
-                                 ? "curves that lie near each other do not meet those that cross them alike: no surface has them all"
-                                 : "a curve does not leave a neighbour in its tangent plane";
-  throw ToleranceNotReached(reason, task.within, found.error);
+  if (found.off.distance > task.within && is_fitted) found = found_surface(task, kCloser * task.fit);
+  if (found.off.distance <= task.within) return found;
+  throw ToleranceNotReached(reason_of(task, found), task.within, found.off.distance);
 }
 
 }  // namespace
@@ -378,12 +417,12 @@ NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const Nurb
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), gap ? *gap / unit : fit, unit);
   const double within = gap ? fit + kMissed * curves.missed : fit;
   const FoundSurface found = said_outside(space, [&] { return surface_within({curves, beyond, fit, within, unit}); });
-  std::array<std::optional<double>, 4> paces = distances_of_paces(found.patch, found.net.u, found.net.v);
+  std::array<std::optional<double>, 4> paces = distances_of_paces(found.made.patch, found.net.u, found.net.v);
   for (auto& distance : paces) {
     if (distance) distance = space.length(*distance);
   }
-  const NurbsPatch begun = begun_as_given(found.patch, curves);
-  return {begun.with_points(space.leave(begun.points())), space.length(found.error), paces};
+  const NurbsPatch begun = begun_as_given(found.made.patch, curves);
+  return {begun.with_points(space.leave(begun.points())), space.length(found.off.distance), paces};
 }
 
 }  // namespace splinecore

@@ -164,12 +164,13 @@ EndSlopes slopes_of(const FieldPair& fields) {
 }
 
 /// Errors of fits along neighbours are angles, which have no unit of length.
-template <class Fit>
-auto along_neighbours(const Fit& fit) {
+/// @param hardest  the name of the neighbour that is farthest off
+template <class Fit, class Name>
+auto along_neighbours(const Fit& fit, const Name& hardest) {
   try {
     return fit();
   } catch (const ToleranceNotReached& error) {
-    throw InvalidShape("along a neighbour tangent planes turn so sharply that the surface would be off them by " +
+    throw InvalidShape("tangent planes of " + hardest() + " turn so sharply along its side that the surface would be off them by " +
                        text_of(error.error()) + " radians: a smoother edge, or no neighbour there, can be had");
   }
 }
@@ -187,16 +188,22 @@ std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const E
   if (which.empty()) return made;
   const FitTogether what{which.size(), kCubic,           borders[0].domain(), borders[0].periodic(),
                          corners_of(borders), kShare * kAngle};
+  std::vector<double> errors(which.size(), 0.0);
   const auto fit = [&](std::size_t i, const KnotVector& knots) -> Approximation<NurbsCurve> {
     const TangentField& field = *fields[which[i]];
     const auto vectors_at = [&](std::span<const double> at, std::span<glm::dvec3> vectors) {
       std::ranges::copy(field.vectors(at), vectors.begin());
     };
     NurbsCurve curve = knots.periodic() ? project(vectors_at, knots).value : through(field, slopes[which[i]], knots);
-    const double error = angle_from(field, curve);
-    return {std::move(curve), error};
+    errors[i] = angle_from(field, curve);
+    return {std::move(curve), errors[i]};
   };
-  const std::vector<NurbsCurve> curves = along_neighbours([&] { return fitted_together(what, fit).value; });
+  const std::vector<NurbsCurve> curves = along_neighbours(
+      [&] { return fitted_together(what, fit).value; },
+      [&] {
+        const auto worst = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
+        return fields[which[worst]]->name();
+      });
   for (std::size_t i = 0; i < which.size(); ++i) {
     std::vector<glm::dvec4> vectors(curves[i].points().begin(), curves[i].points().end());
     for (glm::dvec4& p : vectors) p = glm::dvec4(which[i] == 1 ? -glm::dvec3(p) : glm::dvec3(p), 1.0);
@@ -250,6 +257,10 @@ NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::
     slopes_v[i][j] = sign_at(i) * made.twists[i][j];
     slopes_u[j][i] = sign_at(j) * made.twists[i][j];
   });
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (along_u.fields[i]) made.names_u[i] = along_u.fields[i]->name();
+    if (along_v.fields[i]) made.names_v[i] = along_v.fields[i]->name();
+  }
   made.along_u = fitted(along_u.fields, slopes_u);
   made.along_v = fitted(along_v.fields, slopes_v);
   return made;

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "paced_family.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
@@ -16,6 +17,8 @@ namespace splinecore {
 struct NetworkBorders {
   std::array<std::optional<NurbsCurve>, 2> along_u;   ///< by v, along the first and the last curve of u
   std::array<std::optional<NurbsCurve>, 2> along_v;   ///< by u, along those of v
+  std::array<std::string, 2> names_u{};               ///< of the neighbours there; none without one
+  std::array<std::string, 2> names_v{};
   std::array<std::array<glm::dvec3, 2>, 2> twists{};  ///< [end of u][end of v], where both borders have one
 };
 

@@ -15,6 +15,7 @@
 #include "patch/bezier_piece.hpp"
 #include "span_places.hpp"
 #include "splinecore/base/pause.hpp"
+#include "splinecore/curve/evaluate.hpp"
 #include "splinecore/patch/evaluate.hpp"
 #include "splinecore/patch/isocurve.hpp"
 
@@ -206,7 +207,8 @@ std::pair<FoldCell, FoldCell> halves(FoldCell cell, Axis axis) {
 struct DeepCell {
   FoldCell cell;
   int depth;
-  int apart;  ///< halvings since it has no corner of the patch
+  int apart;        ///< halvings since it has no corner of the patch
+  bool is_regular;  ///< both derivatives turn one way in it, as has been shown
 };
 
 /// The four quarters, the one that turns most last.
@@ -221,7 +223,8 @@ void add_quarters(std::vector<DeepCell>& left, const DeepCell& whole, bool has_c
   }
   for (auto& [turn, part] : parts) turn = corner_turn(part);
   std::ranges::stable_sort(parts, std::ranges::greater(), [](const auto& part) { return part.first; });
-  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1, has_corner ? 0 : whole.apart + 1});
+  const int apart = has_corner ? 0 : whole.apart + 1;
+  for (auto& [turn, part] : parts) left.push_back({std::move(part), whole.depth + 1, apart, false});
 }
 
 glm::dvec3 point_at(const NurbsPatch& patch, double u, double v) {
@@ -251,24 +254,99 @@ bool is_small(const NurbsPatch& patch, const FoldCell& cell, const std::array<st
          is_near(cell.u[1 - u], cell.v[1 - v]);
 }
 
+/// Whether both derivatives span no plane in one of its corners inside the patch: beside a line of such places normals may turn round
+/// from one part to the next.
+bool is_singular_inside(const NurbsPatch& patch, const FoldCell& cell) {
+  constexpr double kNoise = 1e-9;
+  const Interval in_u = patch.knot_vector(Axis::u).domain();
+  const Interval in_v = patch.knot_vector(Axis::v).domain();
+  const std::array<glm::dvec3, 4> u = cell.along_u.corners();
+  const std::array<glm::dvec3, 4> v = cell.along_v.corners();
+  const double noise = kNoise * greatest(cell.along_u) * greatest(cell.along_v);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double at_u = cell.u[i / 2];
+    const double at_v = cell.v[i % 2];
+    if (at_u == in_u.start || at_u == in_u.end || at_v == in_v.start || at_v == in_v.end) continue;
+    if (length_of(glm::cross(u[i], v[i])) <= noise) return true;
+  }
+  return false;
+}
+
+/// The least cosine between normals in corners that lie along an axis from each other.
+double turn_along(const FoldCell& cell, Axis axis) {
+  constexpr double kNoise = 1e-9;
+  const std::array<glm::dvec3, 4> u = cell.along_u.corners();
+  const std::array<glm::dvec3, 4> v = cell.along_v.corners();
+  const double noise = kNoise * greatest(cell.along_u) * greatest(cell.along_v);
+  const std::size_t step = axis == Axis::u ? 2 : 1;
+  double least = 1.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((i & step) != 0) continue;
+    const glm::dvec3 one = glm::cross(u[i], v[i]);
+    const glm::dvec3 other = glm::cross(u[i + step], v[i + step]);
+    if (length_of(one) <= noise || length_of(other) <= noise) continue;
+    least = std::min(least, glm::dot(one, other) / (length_of(one) * length_of(other)));
+  }
+  return least;
+}
+
+/// Whether one of the borders along an axis turns far between two parameters: what bends there as sharply goes on from it.
+bool borders_turn(const NurbsPatch& patch, Axis axis, const std::array<double, 2>& part) {
+  constexpr double kFar = 0.5;
+  const bool is_u = axis == Axis::u;
+  for (const Border border : {is_u ? Border::v_start : Border::u_start, is_u ? Border::v_end : Border::u_end}) {
+    std::array<glm::dvec3, 4> jets;
+    derivatives(boundary(patch, border), part, 1, std::span(&jets.front().x, 12));
+    const double lengths = length_of(jets[1]) * length_of(jets[3]);
+    if (!(glm::dot(jets[1], jets[3]) > kFar * lengths)) return true;
+  }
+  return false;
+}
+
+/// The axis along which normals in a cell turn so far that they may turn round within a tolerance; none where borders do, too.
+std::optional<Axis> axis_of_turn(const NurbsPatch& patch, const FoldCell& cell, int depth) {
+  constexpr int kWide = 3;
+  constexpr double kLittle = 0.5;  // in two of three parts of one that turns round
+  const double of_u = turn_along(cell, Axis::u);
+  const double of_v = turn_along(cell, Axis::v);
+  if (of_u >= kLittle && of_v >= kLittle) return {};
+  const Axis axis = of_u < of_v ? Axis::u : Axis::v;
+  if (depth >= kWide && borders_turn(patch, axis, axis == Axis::u ? cell.u : cell.v)) return {};
+  return axis;
+}
+
 /// A place within one span either way.
 std::optional<std::array<double, 2>> fold_within(const NurbsPatch& patch, const FoldCell& whole, double tolerance) {
   constexpr int kMostHalvings = 12;
   constexpr int kMostInCorner = 48;
   constexpr int kCoarse = 2;
+  constexpr double kHairpin = 2.0;  // normals that turn round within so many tolerances are a fold without a singular place
   constexpr std::size_t kMostCells = 0x1p14;
-  std::vector<DeepCell> left{{whole, 0, 0}};
+  std::vector<DeepCell> left{{whole, 0, 0, false}};
   for (std::size_t seen = 0; !left.empty(); ++seen) {
     const DeepCell one = std::move(left.back());
     left.pop_back();
     const glm::dvec3 normal = glm::cross(mean_of(one.cell.along_u), mean_of(one.cell.along_v));
     const double length = length_of(normal);
-    if (length > 0.0 && turns_one_way(one.cell, normal / length)) continue;
-    if (length > 0.0 && one.depth >= kCoarse && is_upright(one.cell, normal / length)) continue;
+    const auto is_shown = [&] {
+      if (!(length > 0.0) || is_singular_inside(patch, one.cell)) return false;
+      return turns_one_way(one.cell, normal / length) || (one.depth >= kCoarse && is_upright(one.cell, normal / length));
+    };
+    const bool is_regular = one.is_regular || is_shown();
+    if (is_regular) {
+      const std::optional<Axis> axis = axis_of_turn(patch, one.cell, one.depth);
+      if (!axis || one.depth >= kMostInCorner) continue;
+      if (is_small(patch, one.cell, {0, 0}, kHairpin * tolerance)) {
+        return std::array{one.cell.middle_u(), one.cell.middle_v()};
+      }
+      auto [low, high] = halves(one.cell, *axis);
+      for (FoldCell* const half : {&low, &high}) left.push_back({std::move(*half), one.depth + 1, one.apart, true});
+      continue;
+    }
     const auto corner = corner_in(patch, one.cell);
     if (corner && is_small(patch, one.cell, *corner, tolerance)) continue;
     const bool is_deep = corner ? one.depth >= kMostInCorner : one.apart >= kMostHalvings;
-    if (is_deep || seen == kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
+    if (is_deep || seen >= kMostCells) return std::array{one.cell.middle_u(), one.cell.middle_v()};
     add_quarters(left, one, corner.has_value());
   }
   return {};
@@ -282,6 +360,32 @@ double crease_limit(const NurbsPatch& patch, Axis axis, double knot) {
   const NurbsCurve other = boundary(patch, is_u ? Border::v_end : Border::u_end);
   const double turn = kSharper * std::max(kink_angle(one, knot), kink_angle(other, knot));
   return std::cos(std::clamp(turn, 0.5 * std::numbers::pi, std::numbers::pi));
+}
+
+/// A corner of two cells, one behind the other along an axis, beside which normals turn round, at a crease more sharply than its
+/// borders.
+std::optional<std::array<double, 2>> fold_between(const NurbsPatch& patch, const FoldCell& one, const FoldCell& next,
+                                                  Axis axis) {
+  constexpr double kNoise = 1e-9;
+  const KnotVector& knots = patch.knot_vector(axis);
+  const bool is_u = axis == Axis::u;
+  const double knot = is_u ? next.u[0] : next.v[0];
+  const double limit = multiplicity(knots, knot) < knots.degree() ? 0.0 : crease_limit(patch, axis, knot);
+  const auto normal_in = [](const FoldCell& cell, std::size_t corner) {
+    const glm::dvec3 normal = glm::cross(cell.along_u.corners()[corner], cell.along_v.corners()[corner]);
+    const double noise = kNoise * greatest(cell.along_u) * greatest(cell.along_v);
+    return length_of(normal) > noise ? normal : glm::dvec3(0.0);
+  };
+  for (const std::size_t other : {std::size_t{0}, std::size_t{1}}) {
+    const std::size_t ahead = is_u ? other : 2 * other;
+    const std::size_t behind = ahead + (is_u ? 2 : 1);
+    const glm::dvec3 left = normal_in(one, behind);
+    const glm::dvec3 right = normal_in(next, ahead);
+    if (glm::dot(left, right) < limit * length_of(left) * length_of(right)) {
+      return std::array{next.u[ahead / 2], next.v[ahead % 2]};
+    }
+  }
+  return {};
 }
 
 std::vector<glm::dvec3> normals_along(const NurbsPatch& patch, Axis axis, double knot, const std::vector<double>& along,
@@ -324,11 +428,19 @@ std::optional<std::array<double, 2>> fold_at_creases(const NurbsPatch& patch, Ax
 }  // namespace
 
 std::optional<glm::dvec3> fold_of(const NurbsPatch& patch, double tolerance) {
-  for (int i = 0; i < static_cast<int>(patch.knot_vector(Axis::u).spans().size()); ++i) {
-    for (int k = 0; k < static_cast<int>(patch.knot_vector(Axis::v).spans().size()); ++k) {
-      const auto place = fold_within(patch, cell_of(patch, i, k), tolerance);
+  const int count_u = static_cast<int>(patch.knot_vector(Axis::u).spans().size());
+  const int count_v = static_cast<int>(patch.knot_vector(Axis::v).spans().size());
+  std::vector<FoldCell> before;
+  for (int i = 0; i < count_u; ++i) {
+    std::vector<FoldCell> row;
+    for (int k = 0; k < count_v; ++k) {
+      row.push_back(cell_of(patch, i, k));
+      auto place = fold_within(patch, row.back(), tolerance);
+      if (!place && k > 0) place = fold_between(patch, row[static_cast<std::size_t>(k) - 1], row.back(), Axis::v);
+      if (!place && i > 0) place = fold_between(patch, before[static_cast<std::size_t>(k)], row.back(), Axis::u);
       if (place) return point_at(patch, (*place)[0], (*place)[1]);
     }
+    before = std::move(row);
   }
   for (const Axis axis : {Axis::u, Axis::v}) {
     const auto place = fold_at_creases(patch, axis);

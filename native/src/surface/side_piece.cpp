@@ -1,6 +1,7 @@
 #include "side_piece.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -82,6 +83,42 @@ std::array<double, 5> bulges_of(std::span<const double> s, const std::vector<dou
   return found;
 }
 
+/// Places on a curve, those that only rounding parts from an inner knot at that knot: derivatives that jump there are the mean of those
+/// on both sides, whichever way the curve runs.
+class PlacesAtKnots {
+ public:
+  PlacesAtKnots(std::span<const double> s, const KnotVector& knots) : places_(s.begin(), s.end()) {
+    constexpr double kRounding = 0x1p-46;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto next = std::ranges::lower_bound(knots.knots(), places_[i] - kRounding);
+      if (next == knots.knots().end() || *next > places_[i] + kRounding) continue;
+      if (*next <= knots.domain().start || *next >= knots.domain().end) continue;
+      places_[i] = *next;
+      at_knots_.push_back(i);
+    }
+  }
+
+  /// @param count  of vectors at each place
+  /// @param write  them on one side of places
+  template <class Write>
+  std::vector<glm::dvec3> means(std::size_t count, const Write& write) const {
+    std::vector<glm::dvec3> found(count * places_.size());
+    if (found.empty()) return found;
+    write(places_, Side::right, std::span(&found.front().x, 3 * found.size()));
+    if (at_knots_.empty()) return found;
+    std::vector<glm::dvec3> before(found.size());
+    write(places_, Side::left, std::span(&before.front().x, 3 * before.size()));
+    for (const std::size_t i : at_knots_) {
+      for (std::size_t k = count * i; k < count * (i + 1); ++k) found[k] = 0.5 * (found[k] + before[k]);
+    }
+    return found;
+  }
+
+ private:
+  std::vector<double> places_;
+  std::vector<std::size_t> at_knots_;
+};
+
 }  // namespace
 
 double SidePiece::Factor::at(double s) const {
@@ -135,18 +172,25 @@ std::vector<glm::dvec3> SidePiece::points(std::span<const double> s) const {
 }
 
 std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
+  const PlacesAtKnots at(s, curve_.knot_vector());
   std::vector<HolePlace> found(s.size());
   if (!neighbour_) {
-    std::vector<glm::dvec3> values(3 * s.size());
-    derivatives(curve_, s, 2, std::span(&values.front().x, 3 * values.size()));
+    const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
+      derivatives(curve_, here, 2, out, {.side = side});
+    };
+    const std::vector<glm::dvec3> values = at.means(3, write);
     for (std::size_t i = 0; i < s.size(); ++i) {
       found[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2], glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
     }
     return found;
   }
   const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
-  std::vector<glm::dvec3> values(9 * s.size());
-  derivatives(neighbour_->patch, s, end, 2, std::span(&values.front().x, 3 * values.size()));
+  const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
+    PatchOptions options;
+    options.side_u = side;
+    derivatives(neighbour_->patch, here, end, 2, out, options);
+  };
+  const std::vector<glm::dvec3> values = at.means(9, write);
   for (std::size_t i = 0; i < s.size(); ++i) {
     const glm::dvec3* const d = &values[9 * i];  // by u and v: [k][l]
     const glm::dvec3 moved = (1.0 - s[i]) * moved_[0] + s[i] * moved_[1];

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <span>
 #include <utility>
 
+#include "base/length.hpp"
 #include "base/sort_by.hpp"
 #include "kink.hpp"
 #include "star_rows.hpp"
@@ -41,6 +44,54 @@ std::vector<SideKnot> without_copies(std::vector<SideKnot> all) {
     if (one.copies > before.copies || (one.copies == before.copies && is_inner)) before = one;
   }
   return found;
+}
+
+/// What is asked of polynomials.
+struct NearPolynomial {
+  int degree;
+  double tolerance;
+};
+
+/// The most that a part of a side is off the polynomial through as many places of a span as decide it, at places between them.
+double distance_from_polynomial(const HoleSide& side, const PartOfSide& part, const Interval& span, int degree) {
+  const int count = degree + 1;
+  std::vector<double> at;
+  for (int k = 0; k <= 2 * count; ++k) at.push_back(0.5 * (1.0 - std::cos(std::numbers::pi * k / (2.0 * count))));
+  std::vector<double> s;
+  for (const double t : at) s.push_back(part.from + (part.to - part.from) * (span.start + span.length() * t));
+  const std::vector<glm::dvec3> points = side.points(s);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < at.size(); i += 2) {  // the polynomial is through the odd ones
+    glm::dvec3 sum(0.0);
+    for (std::size_t k = 1; k < at.size(); k += 2) {
+      double weight = 1.0;
+      for (std::size_t l = 1; l < at.size(); l += 2) {
+        if (l != k) weight *= (at[i] - at[l]) / (at[k] - at[l]);
+      }
+      sum += weight * points[k];
+    }
+    largest = std::max(largest, length_of(sum - points[i]));
+  }
+  return largest;
+}
+
+/// Adds the knots at which a span is halved, and halved again, until polynomials are near to what runs beside it.
+void add_halvings(const Hole& hole, std::span<const PartOfSide> beside, const Interval& whole, const NearPolynomial& wanted,
+                  std::vector<double>& knots) {
+  constexpr double kShortest = 0x1p-40;
+  constexpr std::size_t kMostKnots = 512;
+  std::vector<Interval> left{whole};
+  while (!left.empty() && knots.size() < kMostKnots) {
+    const Interval span = left.back();
+    left.pop_back();
+    const auto is_off = [&](const PartOfSide& part) {
+      return distance_from_polynomial(hole.sides[part.side], part, span, wanted.degree) > wanted.tolerance;
+    };
+    if (span.length() <= kShortest || std::ranges::none_of(beside, is_off)) continue;
+    knots.push_back(span.middle());
+    left.push_back({span.start, span.middle()});
+    left.push_back({span.middle(), span.end});
+  }
 }
 
 }  // namespace
@@ -91,22 +142,40 @@ KnotVector StarKnots::of_run(std::size_t run, int spans) const {
   return KnotVector::make(degree_, std::move(knots));
 }
 
-std::vector<KnotPair> StarKnots::with(int spans) const {
-  std::vector<KnotVector> runs;
-  for (std::size_t run = 0; run < inner_.size(); ++run) runs.push_back(of_run(run, spans));
+std::vector<KnotPair> StarKnots::pairs_of(const std::vector<KnotVector>& runs) const {
   std::vector<KnotPair> made;
   for (std::size_t k = 0; k < patches_; ++k) made.push_back({runs[run_of(k, Axis::u)], runs[run_of(k, Axis::v)]});
   return made;
 }
 
+std::vector<KnotPair> StarKnots::with(int spans) const {
+  std::vector<KnotVector> runs;
+  for (std::size_t run = 0; run < inner_.size(); ++run) runs.push_back(of_run(run, spans));
+  return pairs_of(runs);
+}
+
+std::vector<KnotPair> StarKnots::graded(const Hole& hole, int spans, double tolerance) const {
+  std::vector<std::vector<PartOfSide>> beside(inner_.size());
+  for (const PartOfSide& part : star_parts(hole)) {
+    const Axis axis = axis_of(part.border) == Axis::u ? Axis::v : Axis::u;
+    beside[run_of(part.patch, axis)].push_back(part);
+  }
+  std::vector<KnotVector> runs;
+  for (std::size_t run = 0; run < inner_.size(); ++run) {
+    const KnotVector even = of_run(run, spans);
+    std::vector<double> knots(even.knots().begin(), even.knots().end());
+    for (int i = 0; i < static_cast<int>(even.spans().size()); ++i) {
+      add_halvings(hole, beside[run], even.span_interval(i), {degree_, tolerance}, knots);
+    }
+    std::ranges::sort(knots);
+    runs.push_back(KnotVector::make(degree_, std::move(knots)));
+  }
+  return pairs_of(runs);
+}
+
 bool StarKnots::are_all(int spans) const {
   constexpr int kForAngles = 8;
   return spans >= kForAngles;
-}
-
-bool StarKnots::are_most(int spans) const {
-  constexpr int kMostSpans = 256;
-  return spans >= kMostSpans;
 }
 
 }  // namespace splinecore

@@ -25,14 +25,18 @@ class StarKnots {
   /// Each stretch between inner knots of sides in spans so short that as many would make the whole.
   std::vector<KnotPair> with(int spans) const;
 
-  /// Whether so many are as many as there may be: for smaller angles, or at all.
+  /// The same, and in these each span halved as often as lets polynomials on it come within a tolerance of the sides: steep
+  /// weights want short spans in few places.
+  std::vector<KnotPair> graded(const Hole& hole, int spans, double tolerance) const;
+
+  /// Whether so many are as many as there may be.
   bool are_all(int spans) const;
-  bool are_most(int spans) const;
 
  private:
   /// Which of inner_ those of a patch are.
   std::size_t run_of(std::size_t patch, Axis axis) const;
   KnotVector of_run(std::size_t run, int spans) const;
+  std::vector<KnotPair> pairs_of(const std::vector<KnotVector>& runs) const;
   std::size_t points() const;
 
   int degree_;

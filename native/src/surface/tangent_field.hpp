@@ -41,6 +41,7 @@ class TangentField {
   void bend(bool is_end, const glm::dvec2& slopes);
 
   const NurbsCurve& border() const { return border_; }
+  const std::string& name() const { return name_; }
 
  private:
   NurbsCurve through_crossed() const;

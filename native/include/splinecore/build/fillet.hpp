@@ -19,7 +19,7 @@ struct Fillet {
 
 /// All arcs of circles with a radius that touch two curves of one plane, in the order of the first curve's parameters:
 /// their centres are where the curves' offsets cross, to either side, or the ends of stretches along which these are one. Where
-/// Newton's method finds none bounds of the offsets decide. S18.
+/// Newton's method finds none, or offsets nearly touch, bounds of the offsets decide. S18.
 /// @throws InvalidShape if the radius is not above 0, the normal is zero, the curves are not in a plane with it, or bounds of offsets
 ///         that run beside each other do not tell within 2^14 pairs of parts.
 std::vector<Fillet> fillets(const NurbsCurve& a, const NurbsCurve& b, double radius, const glm::dvec3& normal);

@@ -33,8 +33,9 @@ struct Filling {
 ///   weights and all, of degree 3 to 7. See bicubic_coons().
 /// - otherwise, and where that does not do, polynomial patches of degree 5, or 7 where curvatures are to agree, by least third
 ///   derivatives of what lies between them and what neighbours let expect, which is that Coons patch, or of other numbers of
-///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most, and more only where sides need
-///   them. Of four sides they are one patch; others are split from the middle of each side to a point.
+///   sides a polynomial over a plane (Sarraga 1987 and Greiner 1994): eight spans at most, and shorter ones only where sides
+///   need them; of four curves without neighbours the Coons patch with their weights, where those fold. Of four sides they are
+///   one patch; others are split from the middle of each side to a point.
 ///   Where lines that run from all sides to a point, as circles would, let expect a surface that bends more evenly, as in wide and
 ///   deep holes, patches go by that one.
 /// - where all sides go on into each other without a corner: patches from each, as it is, to a point in which they all end,
@@ -49,7 +50,8 @@ struct Filling {
 /// sides begins and which way it goes is of no matter.
 ///
 /// @returns patches, with equal control points along their common sides; with normals on one side: on every part of every span
-///          bounds of the derivatives say so, but for what lies within the tolerance of a corner
+///          bounds of the derivatives say so, but for what lies within the tolerance of a corner; nor do they turn by a right
+///          angle within the tolerance where sides do not
 /// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbour turns back over it, goes on
 ///         without a corner into one from no neighbour, or is next to nothing beside one that it goes on into; where one or two
 ///         corners are left, what fills the hole would fold, as it may where weights or paces along sides differ much or
