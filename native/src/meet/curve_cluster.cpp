@@ -131,6 +131,7 @@ SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   std::optional<SpotPair> nearest;
   double distance = 0.0;
   const auto look = [&](const LaidStretch& laid, double at) {
+    if (nearest && distance == 0.0) return;
     const CurveStretch& on = laid.stretch;
     const double t = at - laid.turns.a - curves.a.place({on.piece_a, 0.0});
     const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};

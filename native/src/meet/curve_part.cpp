@@ -9,6 +9,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "curve_pieces.hpp"
 #include "hull_extent.hpp"
 
 namespace splinecore {
@@ -48,8 +49,9 @@ bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) 
 
 /// Tangents of a rational piece with weights of one sign are in the cone of its polygon's legs: each step of de
 /// Casteljau's algorithm makes legs that are sums of multiples above zero of those before.
-CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given)
-    : piece(of_piece), range(of_range), net(std::move(given)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
+CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given,
+                     BernsteinNet<glm::dvec4> given_sums)
+    : piece(of_piece), range(of_range), net(std::move(given)), sums(std::move(given_sums)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
       spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
   if (!is_boxed) return;
   points.reserve(net.rows);
@@ -58,8 +60,11 @@ CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNe
   for (std::size_t i = 1; i < points.size(); ++i) size += glm::distance(points[i], points[i - 1]);
   const glm::dvec3 chord = points.back() - points.front();
   const double length = glm::length(chord);
+  if (length > 0.0) along = chord / length;
+  for (std::size_t i = 0; i < sums.rows; ++i) {
+    rounding = std::max(rounding, rounding_across(net.values[i], sums.values[i], along));
+  }
   if (!(length > 0.0)) return;
-  along = chord / length;
   spread = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const glm::dvec3 leg = points[i] - points[i - 1];
@@ -72,9 +77,12 @@ std::pair<CurvePart, CurvePart> CurvePart::halves() const {
   BernsteinNet<glm::dvec4> first = net;
   BernsteinNet<glm::dvec4> second;
   first.halve(Axis::u, second);
+  BernsteinNet<glm::dvec4> first_sums = sums;
+  BernsteinNet<glm::dvec4> second_sums;
+  if (!sums.values.empty()) first_sums.halve(Axis::u, second_sums);
   const double middle = range.middle();
-  return {CurvePart(piece, {range.start, middle}, std::move(first)),
-          CurvePart(piece, {middle, range.end}, std::move(second))};
+  return {CurvePart(piece, {range.start, middle}, std::move(first), std::move(first_sums)),
+          CurvePart(piece, {middle, range.end}, std::move(second), std::move(second_sums))};
 }
 
 bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
@@ -106,10 +114,11 @@ bool is_off(const glm::dvec3& point, const CurvePart& part, double distance) {
 
 bool is_far_out(const CurvePart& part) {
   constexpr double kFar = 0x1p20;
+  if (part.sums.values.empty()) return false;
   const auto is_outside_along = [&](const glm::dvec3& axis) {
     return is_outside_slab(part.net.values, axis, {-kFar, kFar});
   };
-  return !part.is_boxed && std::ranges::any_of(kAxes, is_outside_along);
+  return std::ranges::any_of(kAxes, is_outside_along);
 }
 
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance) {
