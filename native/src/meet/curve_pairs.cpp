@@ -116,8 +116,8 @@ class PairSearch {
   }
 
   [[noreturn]] static void refuse_jump() {
-    throw InvalidShape("a curve goes farther than the tolerance within the rounding of its parameter where the other one "
-                       "is near: its weights are too unlike");
+    throw InvalidShape("a curve goes farther than the tolerance within the rounding of its parameter where the other "
+                       "one is near: its weights are too unlike");
   }
 
   static bool halves_first(const CurvePart& a, const CurvePart& b, double small) {

@@ -51,8 +51,8 @@ bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) 
 /// Casteljau's algorithm makes legs that are sums of multiples above zero of those before.
 CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given,
                      BernsteinNet<glm::dvec4> given_sums)
-    : piece(of_piece), range(of_range), net(std::move(given)), sums(std::move(given_sums)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
-      spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
+    : piece(of_piece), range(of_range), net(std::move(given)), sums(std::move(given_sums)),
+      is_boxed(has_one_sign(net.values, &glm::dvec4::w)), spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
   if (!is_boxed) return;
   points.reserve(net.rows);
   for (const glm::dvec4& h : net.values) points.push_back(project(h));
