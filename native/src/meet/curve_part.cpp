@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
@@ -19,6 +20,25 @@ namespace {
 /// The angle between two vectors, the first of length 1, without loss where it is small (Kahan).
 double angle_between(const glm::dvec3& unit, const glm::dvec3& other, double length) {
   return 2.0 * std::atan2(glm::length(other - length * unit), glm::length(other + length * unit));
+}
+
+/// Of a polygon's legs with a vector of length 1: tangents of half angles tell which is the largest one.
+double largest_angle(const glm::dvec3& unit, std::span<const glm::dvec3> points) {
+  double off = 0.0;
+  double on = 1.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::dvec3 leg = points[i] - points[i - 1];
+    const double length = glm::length(leg);
+    if (!(length > 0.0)) continue;
+    const glm::dvec3 less = leg / length - unit;
+    const glm::dvec3 more = leg / length + unit;
+    const double off_here = glm::dot(less, less);
+    const double on_here = glm::dot(more, more);
+    if (!(off_here * on > off * on_here)) continue;
+    off = off_here;
+    on = on_here;
+  }
+  return 2.0 * std::atan2(std::sqrt(off), std::sqrt(on));
 }
 
 glm::dvec3 across(const glm::dvec3& unit) {
@@ -52,7 +72,8 @@ bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) 
 CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given,
                      BernsteinNet<glm::dvec4> given_sums)
     : piece(of_piece), range(of_range), net(std::move(given)), sums(std::move(given_sums)),
-      is_boxed(has_one_sign(net.values, &glm::dvec4::w)), spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
+      is_boxed(has_one_sign(net.values, &glm::dvec4::w)), spread(std::numbers::pi),
+      size(std::numeric_limits<double>::infinity()) {
   if (!is_boxed) return;
   points.reserve(net.rows);
   for (const glm::dvec4& h : net.values) points.push_back(project(h));
@@ -65,12 +86,7 @@ CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNe
     rounding = std::max(rounding, rounding_across(net.values[i], sums.values[i], along));
   }
   if (!(length > 0.0)) return;
-  spread = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const glm::dvec3 leg = points[i] - points[i - 1];
-    const double leg_length = glm::length(leg);
-    if (leg_length > 0.0) spread = std::max(spread, angle_between(along, leg, leg_length));
-  }
+  spread = largest_angle(along, points);
 }
 
 std::pair<CurvePart, CurvePart> CurvePart::halves() const {

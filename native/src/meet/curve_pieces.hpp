@@ -20,8 +20,8 @@ struct CurveSpot {
   double t;
 };
 
-/// How far rounding moves a homogeneous point of a curve that runs along a unit vector there, across it: its coordinates
-/// and its weight are sums of what `sums` has the absolute values of.
+/// How far rounding moves a homogeneous point of a curve that runs along a unit vector there, across it: coordinates and
+/// weight are sums of what `sums` has the absolute values of.
 double rounding_across(const glm::dvec4& h, const glm::dvec4& sums, const glm::dvec3& along) noexcept;
 
 /// The Bernstein pieces of a curve in a space that it shares with another one.
@@ -31,8 +31,8 @@ class CurvePieces {
 
   std::size_t size() const noexcept { return pieces_.size(); }
   const BernsteinNet<glm::dvec4>& piece(std::size_t i) const noexcept { return pieces_[i]; }
-  /// Of a curve that runs through infinity the piece of the absolute values of what its coordinates, x, and weights, w, are
-  /// sums of, by which these are rounded; of others an empty one.
+  /// Of a curve that runs through infinity the piece of the absolute values of what its coordinates, x, and weights, w,
+  /// are sums of, by which these are rounded; of others an empty one.
   const BernsteinNet<glm::dvec4>& sums(std::size_t i) const noexcept { return sums_[i]; }
   const BoxTree& tree() const noexcept { return *tree_; }
 
