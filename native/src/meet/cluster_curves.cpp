@@ -1,17 +1,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "base/sort_by.hpp"
 #include "curve_cluster.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
 namespace {
 
+/// So many pairs of findings, of which all in one place are compared.
+constexpr std::size_t kMostCompared = std::size_t{1} << 25;
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// A finding: a stretch, or a crossing.
@@ -53,6 +58,8 @@ class Gathering {
     cluster_.assign(nodes_.size(), kNone);
     seen_by_.assign(nodes_.size(), kNone);
     turns_.resize(nodes_.size());
+    hangs_on_.resize(nodes_.size());
+    std::iota(hangs_on_.begin(), hangs_on_.end(), std::size_t{0});
   }
 
   std::vector<CurveCluster> clusters() {
@@ -130,6 +137,8 @@ class Gathering {
     std::vector<Laid> open;
     for (const Laid& laid : order) {
       breathe(16 * (open.size() + 1));
+      compared_ += open.size();
+      if (compared_ > kMostCompared) refuse();
       const Interval wide = moved(nodes_[laid.node].wide_a, laid.turn);
       std::erase_if(open, [&](const Laid& other) {
         return nodes_[other.node].wide_a.end + other.turn < wide.start;
@@ -141,16 +150,35 @@ class Gathering {
     }
   }
 
+  [[noreturn]] static void refuse() {
+    throw InvalidShape("more than " + std::to_string(kMostCompared) +
+                       " pairs of parts are within the tolerance in few places: they are one along too much of them, "
+                       "or it is too small");
+  }
+
+  /// What a finding hangs on by way of others that go its way.
+  std::size_t root_of(std::size_t i) {
+    while (hangs_on_[i] != i) i = hangs_on_[i] = hangs_on_[hangs_on_[i]];
+    return i;
+  }
+
+  bool go_one_way(std::size_t i, std::size_t j) const {
+    return !nodes_[i].stretch == !nodes_[j].stretch && nodes_[i].way() == nodes_[j].way();
+  }
+
   void link(std::size_t i, std::size_t j, double turn_a) {
     const Node& one = nodes_[i];
     const Node& other = nodes_[j];
+    if (go_one_way(i, j) && root_of(i) == root_of(j)) return;
     const double turn_b = curves_.b.is_closed() ? curves_.b.turn() : 0.0;
     for (const double turns : {0.0, 1.0, -1.0}) {
       if (turns != 0.0 && turn_b == 0.0) break;
       const Turns by{turn_a, turns * turn_b};
-      if (!do_touch(one.wide_b, moved(other.wide_b, by.b)) || !do_meet(one, other, by)) continue;
+      if (!do_touch(one.wide_b, moved(other.wide_b, by.b))) continue;
+      if (!do_meet(one, other, by)) continue;
       links_[i].push_back({j, by});
       links_[j].push_back({i, {-by.a, -by.b}});
+      if (go_one_way(i, j)) hangs_on_[root_of(j)] = root_of(i);
       return;
     }
   }
@@ -283,7 +311,9 @@ class Gathering {
   double tolerance_;
   double wide_;
   std::vector<Node> nodes_;
-  std::vector<std::vector<Link>> links_;
+  std::vector<std::vector<Link>> links_;           ///< without those of what hangs together by others that go its way
+  std::vector<std::size_t> hangs_on_;
+  std::size_t compared_ = 0;
   std::vector<std::vector<LaidFinding>> members_;       ///< of clusters
   std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes

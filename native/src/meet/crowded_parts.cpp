@@ -18,7 +18,7 @@ constexpr int kMostHalvings = 7;
 std::vector<CurvePart> parts_of(const CurvePieces& curve) {
   std::vector<CurvePart> parts;
   parts.reserve(curve.size());
-  for (std::size_t i = 0; i < curve.size(); ++i) parts.emplace_back(i, Interval{}, curve.piece(i));
+  for (std::size_t i = 0; i < curve.size(); ++i) parts.emplace_back(i, Interval{}, curve.piece(i), curve.sums(i));
   return parts;
 }
 

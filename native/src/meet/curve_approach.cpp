@@ -57,6 +57,14 @@ void hold_at_borders(const Approach& now, const std::array<double, 2>& at, const
   }
 }
 
+/// A gap less what a parameter of the curve along it is rounded by.
+glm::dvec3 less_rounding(const glm::dvec3& gap, const glm::dvec3& along) noexcept {
+  constexpr double kRounding = 0x1p-50;
+  const double square = glm::dot(along, along);
+  if (!(square > 0.0) || !std::isfinite(square)) return gap;
+  return gap - std::clamp(glm::dot(gap, along) / square, -kRounding, kRounding) * along;
+}
+
 struct Descent {
   SpotPair at;
   bool has_converged;
@@ -107,6 +115,13 @@ bool hop(const CurvePieces& curve, CurveSpot& spot) {
 }
 
 }  // namespace
+
+double TwoCurves::distance(const SpotPair& at) const noexcept {
+  const Slopes<1> on_a = a.at(at.a);
+  const Slopes<1> on_b = b.at(at.b, on_a.point);
+  const glm::dvec3 gap = less_rounding(less_rounding(on_b.offset, on_a.first[0]), on_b.first[0]);
+  return std::max(glm::length(gap) - a.rounding(at.a, on_a) - b.rounding(at.b, on_b), 0.0);
+}
 
 std::optional<SpotPair> nearest_pair(const TwoCurves& curves, SpotPair at, const Interval& range_a,
                                      const Interval& range_b) {

@@ -23,7 +23,9 @@ struct TwoCurves {
   double rounding = 0.0;  ///< how much of a coordinate may be rounding of those given
 
   std::array<double, 2> places(const SpotPair& at) const noexcept { return {a.place(at.a), b.place(at.b)}; }
-  double distance(const SpotPair& at) const noexcept { return glm::length(b.at(at.b, a.at(at.a).point).offset); }
+
+  /// Less what rounding of parameters and coordinates moves the places by, which is much far out.
+  double distance(const SpotPair& at) const noexcept;
 };
 
 /// Of parts of two pieces the places where they are nearest, of those around a pair: by Newton's method without the second

@@ -87,6 +87,14 @@ Meeting meeting_of(const CurveCluster& cluster, const TwoCurves& curves, const s
     constexpr double kParallel = 1e-6;
     return glm::length(normal(place)) <= std::max(0.5 * sine_at_ends, kParallel);
   };
+  // Where one of the curves ends in a contact that is flat up to rounding, rounding alone would turn to and fro.
+  const auto is_still = [&](double place) {
+    const double rounding = 0x1p-48 + 4.0 * curves.rounding;
+    const Crossing there = crossing_at(curves, cluster.at(curves, place));
+    return glm::length(there.gap) <= rounding && glm::length(there.normal) <= 16.0 * rounding;
+  };
+  const std::array<bool, 2> are_still{is_still(whole.start), is_still(whole.end)};
+  if (are_still[0] != are_still[1]) return {are_still[0] ? whole.start : whole.end, true};
   double place = places[best];
   if (turns_in(gap, whole)) {
     place = zero_between(whole, gap);
@@ -131,6 +139,7 @@ SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
   std::optional<SpotPair> nearest;
   double distance = 0.0;
   const auto look = [&](const LaidStretch& laid, double at) {
+    if (nearest && distance == 0.0) return;
     const CurveStretch& on = laid.stretch;
     const double t = at - laid.turns.a - curves.a.place({on.piece_a, 0.0});
     const CurveSpot spot{on.piece_a, std::clamp(t, on.a.start, on.a.end)};

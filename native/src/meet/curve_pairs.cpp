@@ -22,6 +22,11 @@ constexpr double kNarrow = 0x1p-50;
 constexpr double kGentle = 0.25;
 /// Parts of this part of the tolerance are points.
 constexpr double kSmall = 0.5;
+/// So much of the rounding of a part is nothing but rounding, and where that is more than kLost there are no places.
+constexpr double kOfRounding = 4.0;
+constexpr double kLost = 0x1p-20;
+/// Parts so many times as long as points that cannot be halved are looked at as points.
+constexpr double kJump = 256.0;
 constexpr std::size_t kMostPairs = std::size_t{1} << 22;
 /// Of curves of many pieces so many a piece.
 constexpr std::size_t kMostOfPiece = 512;
@@ -62,8 +67,11 @@ class PairSearch {
   bool are_near(const CurvePart& a, const CurvePart& b) {
     breathe(16 * (a.net.rows + b.net.rows));
     if (++pairs_ > most_pairs_) refuse(most_pairs_);
-    return !are_apart(a, b, tolerance_);
+    return !are_apart(a, b, within(a, b));
   }
+
+  /// The tolerance, and what hulls that far out are rounded by.
+  double within(const CurvePart& a, const CurvePart& b) const { return tolerance_ + a.rounding + b.rounding; }
 
   [[noreturn]] static void refuse(std::size_t count) {
     throw InvalidShape("more than " + std::to_string(count) +
@@ -71,8 +79,11 @@ class PairSearch {
                        "they are one along too much of them, or it is too small");
   }
 
-  /// Whether a part runs through infinity, or has no points but where weights are zero.
-  static bool is_lost(const CurvePart& part) { return !part.is_boxed && (is_narrow(part) || is_far_out(part)); }
+  /// Whether a part is farther out than it is looked for, or has no points but where weights are zero.
+  static bool is_lost(const CurvePart& part) {
+    if (!part.is_boxed) return is_narrow(part) || is_far_out(part);
+    return is_far_out(part) || (part.rounding > kLost && part.size <= kOfRounding * part.rounding);
+  }
   static bool is_narrow(const CurvePart& part) { return part.range.length() <= kNarrow; }
 
   void pair(const CurvePart& a, const CurvePart& b) {
@@ -80,8 +91,10 @@ class PairSearch {
     if (do_tangents_differ(a, b, tolerance_) && cross(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
     if (are_boxed && std::max(a.spread, b.spread) <= kGentle && are_together(a, b)) return;
-    if (is_point(a) && is_point(b)) return add(a, a.range, b, b.range, 0, false);
-    if (halves_first(a, b)) {
+    const double small = kSmall * within(a, b);
+    if ((is_small(a, small) && is_jump(b, small)) || (is_jump(a, small) && is_small(b, small))) refuse_jump();
+    if (is_point(a, small) && is_point(b, small)) return add(a, a.range, b, b.range, 0, false);
+    if (halves_first(a, b, small)) {
       const auto [first, second] = a.halves();
       pair(first, b);
       pair(second, b);
@@ -92,14 +105,24 @@ class PairSearch {
     }
   }
 
+  static bool is_small(const CurvePart& part, double small) { return part.is_boxed && part.size <= small; }
+
   /// Whether a part is not halved any more.
-  bool is_point(const CurvePart& part) const {
-    return is_narrow(part) || (part.is_boxed && part.size <= kSmall * tolerance_);
+  static bool is_point(const CurvePart& part, double small) { return is_narrow(part) || is_small(part, small); }
+
+  /// Whether a part is no point but for the rounding of its parameter.
+  static bool is_jump(const CurvePart& part, double small) {
+    return is_narrow(part) && part.is_boxed && part.size > kJump * small;
   }
 
-  bool halves_first(const CurvePart& a, const CurvePart& b) const {
-    if (is_point(b)) return true;
-    if (is_point(a)) return false;
+  [[noreturn]] static void refuse_jump() {
+    throw InvalidShape("a curve goes farther than the tolerance within the rounding of its parameter where the other "
+                       "one is near: its weights are too unlike");
+  }
+
+  static bool halves_first(const CurvePart& a, const CurvePart& b, double small) {
+    if (is_point(b, small)) return true;
+    if (is_point(a, small)) return false;
     if (a.is_boxed != b.is_boxed) return !a.is_boxed;
     return a.is_boxed ? a.size >= b.size : a.range.length() >= b.range.length();
   }
@@ -107,7 +130,7 @@ class PairSearch {
   /// A part with itself.
   void own(const CurvePart& part) {
     if (is_monotone(part) || is_narrow(part) || is_lost(part)) return;
-    if (part.is_boxed && part.size <= kSmall * tolerance_) return;
+    if (part.is_boxed && part.size <= kSmall * within(part, part)) return;
     const auto [first, second] = part.halves();
     own(first);
     own(second);
@@ -122,7 +145,7 @@ class PairSearch {
     if (is_lost(a) || is_lost(b) || !are_near(a, b)) return;
     if (b_follows != a_follows && are_monotone(a, b)) return;
     const bool are_boxed = a.is_boxed && b.is_boxed;
-    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * tolerance_;
+    const bool is_small = are_boxed && std::max(a.size, b.size) <= kSmall * within(a, b);
     if (is_small || is_narrow(a) || is_narrow(b)) return add(a, a.range, b, b.range, 0, true);
     const auto of_a = a.halves();
     const auto of_b = b.halves();
@@ -142,8 +165,7 @@ class PairSearch {
     const std::optional<SpotPair> near = nearest_pair(curves_, middle, a.range, b.range);
     if (!near) return false;
     const glm::dvec3 gap = curves_.b.at(near->b, curves_.a.at(near->a).point).offset;
-    const double distance = glm::length(gap);
-    if (!(distance <= tolerance_)) return are_apart_along(a, b, gap / distance, tolerance_);
+    if (!(curves_.distance(*near) <= tolerance_)) return are_apart_along(a, b, glm::normalize(gap), within(a, b));
     found_.crossings.push_back(lowest(*near));
     return true;
   }
@@ -161,7 +183,8 @@ class PairSearch {
   bool are_together(const CurvePart& a, const CurvePart& b) {
     // What they have side by side begins and ends at ends of theirs.
     const auto are_off = [&](const CurvePart& one, const CurvePart& other) {
-      return is_off(one.points.front(), other, tolerance_) && is_off(one.points.back(), other, tolerance_);
+      const double far = within(one, other);
+      return is_off(one.points.front(), other, far) && is_off(one.points.back(), other, far);
     };
     if (are_off(a, b) && are_off(b, a)) return false;
     const auto ends_in = [](const CurvePieces& of, const CurvePart& part, const CurvePart& other) {
@@ -171,9 +194,9 @@ class PairSearch {
       return in;
     };
     const auto is_near = [&](double t) {
-      const glm::dvec3 point = curves_.a.at({a.piece, t}).point;
-      const double foot = foot_of(curves_.b, b.piece, b.range, point);
-      return glm::length(curves_.b.at({b.piece, foot}, point).offset) <= tolerance_;
+      const CurveSpot on_a{a.piece, t};
+      const double foot = foot_of(curves_.b, b.piece, b.range, curves_.a.at(on_a).point);
+      return curves_.distance({on_a, {b.piece, foot}}) <= tolerance_;
     };
     const Interval in_a = ends_in(curves_.a, a, b);
     if (in_a.length() > 0.0 && !is_near(in_a.start)) return false;

@@ -6,9 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "curve_pieces.hpp"
 #include "hull_extent.hpp"
 
 namespace splinecore {
@@ -18,6 +20,25 @@ namespace {
 /// The angle between two vectors, the first of length 1, without loss where it is small (Kahan).
 double angle_between(const glm::dvec3& unit, const glm::dvec3& other, double length) {
   return 2.0 * std::atan2(glm::length(other - length * unit), glm::length(other + length * unit));
+}
+
+/// Of a polygon's legs with a vector of length 1: tangents of half angles tell which is the largest one.
+double largest_angle(const glm::dvec3& unit, std::span<const glm::dvec3> points) {
+  double off = 0.0;
+  double on = 1.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const glm::dvec3 leg = points[i] - points[i - 1];
+    const double length = glm::length(leg);
+    if (!(length > 0.0)) continue;
+    const glm::dvec3 less = leg / length - unit;
+    const glm::dvec3 more = leg / length + unit;
+    const double off_here = glm::dot(less, less);
+    const double on_here = glm::dot(more, more);
+    if (!(off_here * on > off * on_here)) continue;
+    off = off_here;
+    on = on_here;
+  }
+  return 2.0 * std::atan2(std::sqrt(off), std::sqrt(on));
 }
 
 glm::dvec3 across(const glm::dvec3& unit) {
@@ -48,9 +69,11 @@ bool is_outside(const CurvePart& part, const CurvePart& boxed, double distance) 
 
 /// Tangents of a rational piece with weights of one sign are in the cone of its polygon's legs: each step of de
 /// Casteljau's algorithm makes legs that are sums of multiples above zero of those before.
-CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given)
-    : piece(of_piece), range(of_range), net(std::move(given)), is_boxed(has_one_sign(net.values, &glm::dvec4::w)),
-      spread(std::numbers::pi), size(std::numeric_limits<double>::infinity()) {
+CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNet<glm::dvec4> given,
+                     BernsteinNet<glm::dvec4> given_sums)
+    : piece(of_piece), range(of_range), net(std::move(given)), sums(std::move(given_sums)),
+      is_boxed(has_one_sign(net.values, &glm::dvec4::w)), spread(std::numbers::pi),
+      size(std::numeric_limits<double>::infinity()) {
   if (!is_boxed) return;
   points.reserve(net.rows);
   for (const glm::dvec4& h : net.values) points.push_back(project(h));
@@ -58,23 +81,24 @@ CurvePart::CurvePart(std::size_t of_piece, const Interval& of_range, BernsteinNe
   for (std::size_t i = 1; i < points.size(); ++i) size += glm::distance(points[i], points[i - 1]);
   const glm::dvec3 chord = points.back() - points.front();
   const double length = glm::length(chord);
-  if (!(length > 0.0)) return;
-  along = chord / length;
-  spread = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const glm::dvec3 leg = points[i] - points[i - 1];
-    const double leg_length = glm::length(leg);
-    if (leg_length > 0.0) spread = std::max(spread, angle_between(along, leg, leg_length));
+  if (length > 0.0) along = chord / length;
+  for (std::size_t i = 0; i < sums.rows; ++i) {
+    rounding = std::max(rounding, rounding_across(net.values[i], sums.values[i], along));
   }
+  if (!(length > 0.0)) return;
+  spread = largest_angle(along, points);
 }
 
 std::pair<CurvePart, CurvePart> CurvePart::halves() const {
   BernsteinNet<glm::dvec4> first = net;
   BernsteinNet<glm::dvec4> second;
   first.halve(Axis::u, second);
+  BernsteinNet<glm::dvec4> first_sums = sums;
+  BernsteinNet<glm::dvec4> second_sums;
+  if (!sums.values.empty()) first_sums.halve(Axis::u, second_sums);
   const double middle = range.middle();
-  return {CurvePart(piece, {range.start, middle}, std::move(first)),
-          CurvePart(piece, {middle, range.end}, std::move(second))};
+  return {CurvePart(piece, {range.start, middle}, std::move(first), std::move(first_sums)),
+          CurvePart(piece, {middle, range.end}, std::move(second), std::move(second_sums))};
 }
 
 bool are_apart(const CurvePart& a, const CurvePart& b, double distance) {
@@ -106,10 +130,11 @@ bool is_off(const glm::dvec3& point, const CurvePart& part, double distance) {
 
 bool is_far_out(const CurvePart& part) {
   constexpr double kFar = 0x1p20;
+  if (part.sums.values.empty()) return false;
   const auto is_outside_along = [&](const glm::dvec3& axis) {
     return is_outside_slab(part.net.values, axis, {-kFar, kFar});
   };
-  return !part.is_boxed && std::ranges::any_of(kAxes, is_outside_along);
+  return std::ranges::any_of(kAxes, is_outside_along);
 }
 
 bool do_tangents_differ(const CurvePart& a, const CurvePart& b, double distance) {

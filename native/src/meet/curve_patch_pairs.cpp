@@ -75,7 +75,7 @@ class PierceSearch {
 
   PiercePairFindings found() {
     for_near_pairs(shapes_.curve.tree(), shapes_.patch.tree(), tolerance_, [&](std::size_t i, std::size_t j) {
-      pair(CurvePart(i, {}, shapes_.curve.piece(i)), PatchPart(j, {}, shapes_.patch.piece(j)));
+      pair(CurvePart(i, {}, shapes_.curve.piece(i), shapes_.curve.sums(i)), PatchPart(j, {}, shapes_.patch.piece(j)));
     });
     return std::move(found_);
   }

@@ -1,24 +1,55 @@
 #include "curve_pieces.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/one_sign.hpp"
+#include "base/quotient.hpp"
 #include "boxed_pieces.hpp"
 #include "piece_side.hpp"
 
 namespace splinecore {
+
+namespace {
+
+/// A piece whose control points are one has one point, whatever the weights, which would make rounding of it.
+void stand_still(BernsteinNet<glm::dvec4>& piece, double rounding) {
+  const glm::dvec4 first = piece.values.front();
+  const auto is_first = [&](const glm::dvec4& h) { return are_one(h, first, rounding); };
+  if (std::ranges::all_of(piece.values, is_first)) std::ranges::fill(piece.values, glm::dvec4(project(first), 1.0));
+}
+
+std::vector<glm::dvec4> absolute(std::vector<glm::dvec4> points) {
+  for (glm::dvec4& h : points) h = {glm::length(glm::dvec3(h)), 0.0, 0.0, std::abs(h.w)};
+  return points;
+}
+
+}  // namespace
+
+double rounding_across(const glm::dvec4& h, const glm::dvec4& sums, const glm::dvec3& along) noexcept {
+  constexpr double kRounding = 0x1p-50;
+  const glm::dvec3 point = project(h);
+  const double aside = glm::length(point - glm::dot(point, along) * along);
+  return kRounding * (sums.x + aside * sums.w) / std::abs(h.w);
+}
 
 CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
     : kernels_(kernels()), knots_(curve.knot_vector()) {
   const auto homogeneous = curve.homogeneous_points();
   const auto own = space.homogeneous(curve.points(), homogeneous, curve.points().size(), homogeneous.size());
   const std::size_t count = knots_.spans().size();
+  const bool is_endless = !has_one_sign(own, &glm::dvec4::w);
+  const std::vector<glm::dvec4> own_sums = is_endless ? absolute(own) : std::vector<glm::dvec4>();
+  sums_.resize(count);
   pieces_.reserve(count);
   std::vector<TreeBox> boxes;
   boxes.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     pieces_.push_back(bezier_piece(knots_, static_cast<int>(i), own.data()));
+    if (is_endless) sums_[i] = bezier_piece(knots_, static_cast<int>(i), own_sums.data());
+    stand_still(pieces_.back(), space.rounding());
     boxes.push_back(box_of(pieces_.back()));
     length_ += length_of_chords(i);
   }
@@ -49,6 +80,21 @@ std::optional<std::size_t> CurvePieces::after(std::size_t i) const noexcept {
 std::optional<std::size_t> CurvePieces::before(std::size_t i) const noexcept {
   const std::size_t before = (i + pieces_.size() - 1) % pieces_.size();
   return goes_on_[before] ? std::optional(before) : std::nullopt;
+}
+
+double CurvePieces::rounding(const CurveSpot& spot, const Slopes<1>& here) const noexcept {
+  const BernsteinNet<glm::dvec4>& sums = sums_[spot.piece];
+  if (sums.values.empty()) return 0.0;
+  const std::array<double, 1> at{spot.t};
+  std::array<glm::dvec4, 3> of_sums;
+  std::array<glm::dvec4, 3> h;
+  const auto slopes = [&](const BernsteinNet<glm::dvec4>& net, std::array<glm::dvec4, 3>& into) {
+    kernels_.piece_slopes({static_cast<int>(net.rows), 1, &net.values.front().x}, at.data(), &into[0].x);
+  };
+  slopes(sums, of_sums);
+  slopes(pieces_[spot.piece], h);
+  const double speed = glm::length(here.first[0]);
+  return rounding_across(h[0], of_sums[0], speed > 0.0 ? here.first[0] / speed : glm::dvec3(0.0));
 }
 
 double CurvePieces::parameter(const CurveSpot& spot) const {

@@ -20,6 +20,10 @@ struct CurveSpot {
   double t;
 };
 
+/// How far rounding moves a homogeneous point of a curve that runs along a unit vector there, across it: coordinates and
+/// weight are sums of what `sums` has the absolute values of.
+double rounding_across(const glm::dvec4& h, const glm::dvec4& sums, const glm::dvec3& along) noexcept;
+
 /// The Bernstein pieces of a curve in a space that it shares with another one.
 class CurvePieces {
  public:
@@ -27,6 +31,9 @@ class CurvePieces {
 
   std::size_t size() const noexcept { return pieces_.size(); }
   const BernsteinNet<glm::dvec4>& piece(std::size_t i) const noexcept { return pieces_[i]; }
+  /// Of a curve that runs through infinity the piece of the absolute values of what its coordinates, x, and weights, w,
+  /// are sums of, by which these are rounded; of others an empty one.
+  const BernsteinNet<glm::dvec4>& sums(std::size_t i) const noexcept { return sums_[i]; }
   const BoxTree& tree() const noexcept { return *tree_; }
 
   /// Whether the curve ends where it begins.
@@ -40,6 +47,9 @@ class CurvePieces {
     const BernsteinNet<glm::dvec4>& net = pieces_[spot.piece];
     return slopes_of<1>(kernels_, net.values.data(), net.rows, 1, {spot.t}, from);
   }
+
+  /// How far rounding of coordinates and weights moves a place across the curve, where it is `here`.
+  double rounding(const CurveSpot& spot, const Slopes<1>& here) const noexcept;
 
   double parameter(const CurveSpot& spot) const;
 
@@ -67,6 +77,7 @@ class CurvePieces {
   const Kernels& kernels_;
   KnotVector knots_;
   std::vector<BernsteinNet<glm::dvec4>> pieces_;
+  std::vector<BernsteinNet<glm::dvec4>> sums_;
   std::vector<bool> goes_on_;  ///< after each piece, after the last one at the first
   std::vector<double> starts_;  ///< places of the starts of pieces
   std::optional<BoxTree> tree_;

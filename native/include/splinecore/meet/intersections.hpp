@@ -62,7 +62,8 @@ struct PatchIntersections {
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
 /// a gap shows not to be, or they lie within the tolerance of each other. S18.
 /// @param tolerance  none: 2^-33 of how far control points of both reach from the middle of them all
-/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^22 pairs, or 512 a span if these are more.
+/// @throws InvalidShape if the tolerance is below 0 or no number, after 2^22 pairs, or 512 a span if these are more, or
+/// where weights are so unlike that a curve goes much farther than the tolerance within the rounding of its parameter.
 CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 
 /// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
