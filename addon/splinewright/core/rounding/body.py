@@ -48,6 +48,8 @@ class Edge:
 @dataclass
 class Body:
     cells: list
+    owners: list                        # for each cell a number of whose it is
+    planes: list                        # for each cell its cells.plane_of()
     corners: np.ndarray                 # (n, 3)
     sides: list
     across: dict                        # number of a side -> that of the side that is one edge with it
@@ -65,14 +67,15 @@ class Body:
         return {self.face_of[side.cell] for side in self.sides if corner in (side.start, side.end)}
 
 
-def body_of(cells):
-    """The Body of NurbsPatches, cut where corners of others lie on their sides."""
+def body_of(owned):
+    """The Body of pairs of a NurbsPatch and a number of whose it is, cut where corners of others lie on their sides."""
     for _ in range(_ROUNDS):
-        body = _body(cells)
+        body = _body([cell for cell, _ in owned], [owner for _, owner in owned])
         cuts = _cuts(body)
         if not cuts:
             break
-        cells = [part for i, cell in enumerate(cells) for part in (parts_of(cell, *cuts[i]) if i in cuts else [cell])]
+        owned = [(part, owner) for i, (cell, owner) in enumerate(owned)
+                 for part in (parts_of(cell, *cuts[i]) if i in cuts else [cell])]
     return body
 
 
@@ -92,14 +95,14 @@ def _cuts(body):
     return found
 
 
-def _body(cells):
+def _body(cells, owners):
     size = max(np.ptp(np.concatenate([np.asarray(cell.points).reshape(-1, 3) for cell in cells]), axis=0).max(), 0.0)
     sides, corners = _sides(cells, _SAME * size)
     across = _across(sides, _SAME * size)
     planes = [plane_of(cell) for cell in cells]
     smooth = {(a, b) for a, b in across.items() if _is_smooth(cells, planes, sides[a], sides[b])}
     faces, face_of = _faces(cells, planes, sides, smooth)
-    body = Body(cells, corners, sides, across, faces, face_of, [], size)
+    body = Body(cells, owners, planes, corners, sides, across, faces, face_of, [], size)
     body.edges = _edges(body, smooth)
     return body
 

@@ -13,8 +13,8 @@ SMOOTH_TURN = 1e-5
 
 
 def cells_of(patches):
-    """The patches as NurbsPatches, each cut at its creases, and at corners of its sides."""
-    return [cell for patch in patches for cell in _cells(patch.to_nurbs())]
+    """[(NurbsPatch, the number of the patch of which it is all or a part)]: cut at creases, and at corners of sides."""
+    return [(cell, i) for i, patch in enumerate(patches) for cell in _cells(patch.to_nurbs())]
 
 
 def _cells(patch):

@@ -16,12 +16,18 @@ class Rounded(NamedTuple):
     count: int                          # of edges that were rounded
 
 
-def rounded(patches, text, radius, tolerance, cancel=None):
-    """Patches with edges of theirs rounded: those whose numbers a text has, or all. Raises Refusal or an error of the library."""
-    body = body_of(cells_of(patches))
+def rounded(shapes, text, radius, tolerance, cancel=None):
+    """Lists of patches with edges of theirs rounded: those whose numbers a text has; without numbers those in which two shapes
+    meet, or if there are not two of them, all. Raises Refusal or an error of the library."""
+    body = body_between(shapes)
     if not body.edges:
         raise Refusal("there is no edge: no two sides lie on each other with an angle between their surfaces")
-    chosen = [body.edges[number - 1] for number in numbers_of(text, len(body.edges))]
+    numbers = numbers_of(text, len(body.edges))
+    if not numbers:
+        numbers = [edge.number for edge in body.edges if len(shapes) != 2 or is_between(body, edge)]
+    if not numbers:
+        raise Refusal("no side of one surface lies on a side of the other one with an angle between them")
+    chosen = [body.edges[number - 1] for number in numbers]
     rolled = [edge for edge in chosen if not is_of_planes(body, edge)]
     flat = [edge for edge in chosen if is_of_planes(body, edge)]
     _require_apart(body, rolled, flat)
@@ -29,15 +35,26 @@ def rounded(patches, text, radius, tolerance, cancel=None):
     for edge in rolled:
         now = _found(body, places[edge.number], edge.number)
         cells, off = rolling.rolled(body, now, radius, tolerance, cancel)
-        body, error = body_of(cells), max(error, off)
+        body, error = body_of([(cell, 0) for cell in cells]), max(error, off)
     if flat:
         now = [_found(body, places[edge.number], edge.number) for edge in flat]
         return Rounded(planes.rounded(body, now, radius), error, len(chosen))
     return Rounded(body.cells, error, len(chosen))
 
 
+def body_between(shapes):
+    """The Body of lists of patches, whose cells belong to the number of their list."""
+    patches = [(patch, i) for i, those in enumerate(shapes) for patch in those]
+    return body_of([(cell, patches[number][1]) for cell, number in cells_of([patch for patch, _ in patches])])
+
+
+def is_between(body, edge):
+    """Whether two shapes meet in an edge."""
+    return any(body.owners[first.cell] != body.owners[second.cell] for first, second in edge.pairs)
+
+
 def numbers_of(text, count):
-    """The numbers in a text such as "1, 4-6", each once in their order; all up to a count where it has none. Raises Refusal."""
+    """The numbers in a text such as "1, 4-6", each once in their order. Raises Refusal."""
     found = set()
     for word in text.replace(',', ' ').split():
         first, dash, last = word.partition('-')
@@ -48,13 +65,12 @@ def numbers_of(text, count):
             edges_are = "is 1 edge" if count == 1 else f"are {count} edges"
             raise Refusal(f"there {edges_are}, none of number {word}")
         found |= set(range(low, high + 1))
-    return sorted(found) or list(range(1, count + 1))
+    return sorted(found)
 
 
-def middles_of(patches):
-    """(n, 3): a point on each edge, in the order of their numbers."""
-    edges = body_of(cells_of(patches)).edges
-    return np.array([_place_of(edge) for edge in edges]).reshape(-1, 3)
+def middles_of(shapes):
+    """(n, 3): a point on each edge of lists of patches, in the order of their numbers."""
+    return np.array([_place_of(edge) for edge in body_between(shapes).edges]).reshape(-1, 3)
 
 
 def is_of_planes(body, edge):

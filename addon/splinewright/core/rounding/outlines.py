@@ -7,7 +7,6 @@ import numpy as np
 
 from ..failures import Refusal
 from ..library import sc
-from .cells import plane_of
 
 #: Corners that turn by less have no inside; nor have places with less room, as a part of the size.
 _LEAST_SINE = 1e-9
@@ -59,12 +58,8 @@ def outline_of(body, face, edge_of, named):
         if across == face:
             continue
         span = Span(side.start, side.end, (side.curve,), edge_of.get(i, 0), across)
-        parts.append(span if _turns_with(body.cells[side.cell], normal) else _back(span))
+        parts.append(span if body.planes[side.cell][1] @ normal > 0.0 else _back(span))
     return Outline(face, normal, _merged(_loop(parts, named)))
-
-
-def _turns_with(cell, normal):
-    return plane_of(cell)[1] @ normal > 0.0
 
 
 def _back(span):

@@ -40,7 +40,17 @@ def rolled(body, edge, radius, tolerance, cancel=None):
             cells += replaced[face] if number == body.faces[face].cells[0] else []
         else:
             cells.append(new.get(number, cell))
-    return Rolled([*cells, *(part.fillet for part in parts)], error)
+    return Rolled([*cells, *map(_facing, parts)], error)
+
+
+def _facing(part):
+    """The fillet with its normals to where those of the first patch point."""
+    fillet = part.fillet
+    middle = 0.5 * sum(fillet.domain[0])
+    points, normals = fillet.evaluate_grid_with_normals([middle], fillet.domain[1][:1])
+    (u, v), = part.first.nearest(points.reshape(1, 3)).parameters
+    _, others = part.first.evaluate_grid_with_normals([u], [v])
+    return fillet if np.vdot(normals, others) > 0.0 else fillet.reversed('u')
 
 
 def _require_alone(body, edge):
