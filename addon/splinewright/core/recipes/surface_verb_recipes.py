@@ -172,7 +172,7 @@ RECIPES = (
             _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"),
             Parameter("edges", "Edges", "Numbers of the edges that are rounded, such as 1, 4-6, as the view shows them while the result "
                       "is active; none: where two surfaces meet, or all of one", ""), _TOLERANCE),
-           _rounded, is_surface=True, resolution=8, inputs=("one surface or more",), has_more=True, is_measured=True,
+           _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface or more",), has_more=True, is_measured=True,
            takes_cancel=True),
     Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it follows it",
            (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,

@@ -20,7 +20,7 @@ from .pick_piece import draw_number
 _VERBS = ('revolve', 'extrude', 'projected', 'loft', 'sweep', 'two_rails', 'filling', 'surface_blend', 'matched', 'rounded_edge', 'offset_surface', 'thickened',
           'extended_surface', 'of_mesh', 'mirror')
 #: Of parameters that mean something for one object only.
-_MORE = {'piece': {'options': {'SKIP_SAVE'}}}
+_MORE = {name: {'options': {'SKIP_SAVE'}} for name in ('piece', 'edges')}
 
 
 class _FromObjects(LongWork, Repeatable):
