@@ -285,9 +285,74 @@ def test_a_plate_through_a_tube():
 @pytest.mark.parametrize("other, message", [
     (wall(tilt=0.2, low=-0.4), "not along a line of u or v of the first one"),
     (wall(x=1.5, low=-0.4), "along a part of a line of the first one"),
-    (build.plane((0, 9, 5), (1, 0, 0), (0, 0, 1)), "no side in common, and do not cross"),
+    (build.plane((0, 9, 5), (1, 0, 0), (0, 0, 1)), "no edge in common, and do not cross"),
     (build.sphere((1, 0.5, 0), 0.3), "closed curve|closed across|not along")])
 def test_what_would_have_to_be_trimmed_is_said(other, message):
     floor = build.plane((0, -1, 0), (2, 0, 0), (0, 3, 0))
     with pytest.raises(failures.Refusal, match=message):
         make('rounded_edge', floor, other, radius=0.1, end_radius=0.1)
+
+
+def outline_at_random(rng):
+    """A closed outline of segments and arcs that goes on smoothly, in any order of its corners' radii, and the least radius."""
+    count = int(rng.integers(3, 7))
+    angles = np.linspace(0, 2 * np.pi, count, endpoint=False) + rng.uniform(-0.2, 0.2, count)
+    points = np.c_[3 * np.cos(angles) * rng.uniform(0.8, 1.5), 3 * np.sin(angles), np.zeros(count)]
+    least = rng.uniform(0.3, 0.5)
+    return core('recipes.meeting_recipes')._without_corners(points, 'round', least, True), least
+
+
+def off_the_ball(points, outline, radius, height):
+    """How far points beside the rims of an upright body are from a ball that touches its wall and its lid."""
+    beside = radius - outline.nearest(points * (1, 1, 0)).distances
+    deep = radius - np.minimum(points[:, 2], height - points[:, 2])
+    is_rim = (beside > 0) & (deep > 0)
+    return np.abs(np.hypot(beside, deep) - radius)[is_rim]
+
+
+def test_rims_of_smooth_outlines(inputs):
+    """Both rims of an extruded outline of segments and arcs: exact tubes and tori, closed, G1, in one patch and in several."""
+    for seed in range(inputs(100)):
+        rng = np.random.default_rng([seed, 414])
+        outline, least = outline_at_random(rng)
+        size = 10**rng.uniform(-3, 3)
+        axes, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+        axes *= np.sign(np.linalg.det(axes))
+        back = np.c_[size * axes, size * rng.uniform(-3, 3, 3)]
+        patches = [patch.transformed(back) for patch in capped(outline, 0, 0, 2)]
+        if rng.random() < 0.5:
+            knots = np.unique(patches[0].knots[0])[1:-1]
+            patches[:1] = _parts(patches[0], rng.permutation(knots)[:int(rng.integers(1, 4))])
+        radius = rng.uniform(0.1, 0.9) * least
+        made = rounding.rounded([patches], "", radius * size, 1e-5 * size)
+        assert made.count == 2 and made.error <= 1e-12 * size, (seed, made.error / size)
+        together = require_closed(made.patches)
+        require_smooth(together, lambda _: True)
+        for patch in made.patches:
+            points = patch.evaluate_grid(*(np.linspace(*domain, 7) for domain in patch.domain)).reshape(-1, 3)
+            off = off_the_ball((points - back[:, 3]) @ axes / size, outline, radius, 2.0)
+            assert off.max(initial=0.0) <= 1e-7, (seed, off.max())
+
+
+def _parts(patch, knots):
+    parts = [patch]
+    for knot in np.sort(knots):
+        parts += parts.pop().split('u', knot)
+    return parts
+
+
+def test_corners_are_rounded_first_and_then_the_rims():
+    """Upright edges with one radius, and all round with a smaller one: planes are cut at chords where no point sees all."""
+    for corners in ([(0, 0), (3, 0), (3, 2), (0, 2)], [(0, 0), (3, 0), (3, 1), (1, 1), (1, 2), (0, 2)],
+                    [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]):
+        patches = capped(build.contour([(*corner, 0) for corner in corners], closed=True), 0, 0, 1)
+        body = rounding.body_between([patches])
+        upright = [edge.number for edge in body.edges
+                   if np.ptp(body.corners[[edge.pairs[0][0].start, edge.pairs[-1][0].end], 2]) > 0.5]
+        first = rounding.rounded([patches], " ".join(map(str, upright)), 0.3, 1e-5)
+        require_smooth(require_closed(first.patches), lambda _: False)
+        second = rounding.rounded([first.patches], "", 0.1, 1e-5)
+        assert second.count == 2 and second.error < 1e-12
+        require_smooth(require_closed(second.patches), lambda _: True)
+        with pytest.raises(failures.Refusal, match="edge 1: the radius is too large"):
+            rounding.rounded([first.patches], "", 0.35, 1e-5)

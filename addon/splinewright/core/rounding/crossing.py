@@ -29,7 +29,7 @@ def cut_back(first, second, first_side, second_side, cancel=None):
     size = max(np.ptp(np.asarray(patch.to_nurbs().points).reshape(-1, 3), axis=0).max() for patch in (first, second))
     found = first.sections(second, tolerance=_FINE * size, cancel=cancel)
     if len(found.curves) == 0:
-        raise Refusal("the surfaces have no side in common, and do not cross")
+        raise Refusal("the surfaces have no edge in common, and do not cross")
     if len(found.curves) > 1:
         raise Refusal(f"the surfaces meet in {len(found.curves)} curves: one is expected")
     curve = found.curves[0]

@@ -99,13 +99,32 @@ def segment(start, end):
 
 def filled(pieces, normal, size):
     """NurbsPatches within a loop of pieces in a plane: rows (n, 4) of points with weights in Bernstein form, or curves. One where
-    these are four segments, otherwise as many as pieces, about a point that sees them all; [] where there is no such point."""
+    these are four segments, otherwise as many as pieces, about a point that sees them all, or points that see parts between chords.
+    [] where there are none."""
     if len(pieces) == 4 and all(isinstance(piece, np.ndarray) and len(piece) == 2 for piece in pieces):
         corners = np.array([piece[0, :3] for piece in pieces])
         return [_quad(corners)] if _is_convex(corners, normal, size) else []
     curves = [_curve(piece) for piece in pieces]
     point = _point_that_sees(curves, normal, size)
-    return [] if point is None else [_wedge(curve, point) for curve in curves]
+    return _by_chords(curves, normal) if point is None else [_wedge(curve, point) for curve in curves]
+
+
+def _by_chords(curves, normal):
+    """Patches whose v_start are all of these curves, and chords."""
+    try:
+        made = list(sc.build.fill_rim(curves).value)
+    except sc.InvalidShape:
+        return []
+    made = [patch if _turn(patch) @ normal > 0.0 else patch.reversed('u') for patch in made]
+    rims = [np.asarray(patch.boundary('v_start').points) for patch in made]
+    are_kept = all(any(np.array_equal(rim, curve.points) for rim in rims) for curve in curves)
+    return made if are_kept else []
+
+
+def _turn(patch):
+    u, v = (0.5 * sum(domain) for domain in patch.domain)
+    jets = patch.derivatives([u], [v], 1)[0]
+    return np.cross(jets[1, 0], jets[0, 1])
 
 
 def _quad(corners):
