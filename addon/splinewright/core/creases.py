@@ -23,7 +23,7 @@ class Crease(NamedTuple):
 def creases_of(definition):
     """(the Creases of a definition of patches, how many other knots inside may come to have one, or were too many to be
     measured)."""
-    places = [(i, axis, knot) for i, piece in enumerate(definition.pieces) for axis in 'uv' for knot in sharp_knots(piece, axis)]
+    places = [(i, axis, knot) for i, piece in enumerate(definition.pieces) for axis in 'uv' for knot in _sharp_knots(piece, axis)]
     found, patches = [], {}
     for i, axis, knot in places[:_MOST]:
         if i not in patches:
@@ -41,7 +41,7 @@ def _patch(definition, number):
     return sc.NurbsPatch(piece.degree, piece.knots, rows[..., :3], rows[..., 3], piece.periodic)
 
 
-def sharp_knots(piece, axis):
+def _sharp_knots(piece, axis):
     """The knots inside a piece, of a periodic one the first one, too, that are as often there as its degree says."""
     if piece.kind != 'nurbs':
         return []

@@ -1,4 +1,5 @@
-"""The numbers of what the active surface is made from, and which way curves of it run, or of edges that it rounds, in the 3D views."""
+"""The numbers of what the active surface is made from, and which way curves of it run, or of edges that it rounds, in the 3D
+views."""
 
 from typing import NamedTuple
 

@@ -1,7 +1,7 @@
 """A part of a sphere between three great circles, exactly, as a patch that closes to a point in one corner.
 
-Points of a sphere are pairs of complex numbers (spinors) up to a factor; squares of linear ones run along great circles as arcs of the
-second degree do, and a bilinear one has all three sides so.
+Points of a sphere are pairs of complex numbers (spinors) up to a factor; squares of linear ones run along great circles as
+arcs of the second degree do, and a bilinear one has all three sides so.
 """
 
 from itertools import product

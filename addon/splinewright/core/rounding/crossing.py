@@ -54,7 +54,8 @@ def _kept(patch, points, ends, side, name):
         raise Refusal(f"the surfaces cross, but not along a line of u or v of the {name} one, which would have to be trimmed")
     reached = np.sort(patch.nearest(ends).parameters[:, 1 - level])
     if not patch.periodic[1 - level] and np.abs(reached - domain[1 - level]).max() > _SAME * lengths[1 - level]:
-        raise Refusal(f"the surfaces cross along a part of a line of the {name} one, not from side to side: it would have to be trimmed")
+        raise Refusal(f"the surfaces cross along a part of a line of the {name} one, not from side to side: it would have to be "
+                      "trimmed")
     axis, at = 'uv'[level], float(np.median(parameters[:, level]))
     for end, limit in zip(('start', 'end'), domain[level]):
         if abs(at - limit) <= _SAME * lengths[level] and not patch.periodic[level]:

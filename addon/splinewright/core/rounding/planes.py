@@ -1,4 +1,5 @@
-"""Straight edges of planes, and the corners in which they meet, rounded exactly: by cylinders, spheres and what is left of the planes."""
+"""Straight edges of planes, and the corners in which they meet, rounded exactly: by cylinders, spheres and what is left of the
+planes."""
 
 from typing import NamedTuple
 
@@ -44,12 +45,12 @@ class _Rounding:
         self.ridges = [self._ridge(edge) for edge in edges]
         self.at = {}                    # (face, corner) -> (3,): where a corner of a face goes
         self.arcs = {}                  # (number of a ridge, corner) -> (n, 4), from its first face to its second one
+        self.arcs_of = {}               # (face, corner) -> the ridge that ends there, and whose arc the face has
         self.balls = []                 # (corner, net, faces)
         ends = {}
         for ridge in self.ridges:
             for corner in ridge.ends:
                 ends.setdefault(corner, []).append(ridge)
-        self.arcs_of = {}               # (face, corner) -> the ridge whose arc it ends in
         for corner, meeting in ends.items():
             self._end(corner, meeting)
         self._raise()
@@ -68,7 +69,7 @@ class _Rounding:
         a, b = spans
         start, end = self.body.corners[a.start], self.body.corners[a.end]
         way = (end - start) / np.linalg.norm(end - start)
-        inward = [np.cross(self._outlines[face].normal, (1.0 if span.start == a.start else -1.0) * way) for face, span in zip(faces, spans)]
+        inward = [np.cross(self._outlines[face].normal, way if span.start == a.start else -way) for face, span in zip(faces, spans)]
         half = 0.5 * np.arctan2(np.linalg.norm(np.cross(*inward)), np.dot(*inward))
         if not half > 0.5 * _LEAST_ANGLE:
             raise Refusal(f"{named}: its surfaces fold back on each other, there is no room for a ball")
@@ -172,13 +173,11 @@ class _Rounding:
         if not made:
             near = sorted({ridge.number for ridge in self.ridges if face in ridge.faces or any(
                 (face, end) in self.arcs_of and self.arcs_of[face, end] is ridge for end in ridge.ends)})
-            raise Refusal(f"what is left of a plane beside {_listed(near)} is not seen from one point: the radius is too large for "
-                          "it, or it has corners that go inwards")
+            raise Refusal(f"what is left of a plane beside {_listed(near)} cannot be filled: the radius is too large for it")
         return made
 
     def _pieces(self, face, span, changing):
         start, end = (self._place(face, span, corner) for corner in (span.start, span.end))
-        is_moved = start is not self.body.corners[span.start] or end is not self.body.corners[span.end]
         is_moved = any((face, corner) in self.at or (face, corner) in self.arcs_of for corner in (span.start, span.end))
         if not is_moved and not (span.is_line and len(span.curves) == 1 and (span.across is None or span.across in changing)):
             return list(span.curves)

@@ -55,7 +55,8 @@ class _Rolling:
 
     def fits_as_it_is(self):
         """Whether the patches of plane faces are such that a ball touches both sides at one parameter."""
-        return all(strips.runs_square(self.body.cells[pair[i].cell], pair[i].name) for i in self.planes for pair in self.edge.pairs)
+        sides = [pair[i] for i in self.planes for pair in self.edge.pairs]
+        return all(strips.runs_square(self.body.cells[side.cell], side.name) for side in sides)
 
     def tried(self, width):
         """Rolled, with strips of a width, by the radius, in place of planes; None for the patches as they are."""
@@ -129,8 +130,7 @@ class _Rolling:
         outline = self.outline(face)
         span = next(outline.spans[i] for i in outline.at(corner) if outline.spans[i].edge != self.edge.number)
         if not span.is_line:
-            raise Refusal(f"edge {self.edge.number}, {named(self.body, corner)}: a side that is no straight line ends there, and "
-                          "would have to be trimmed")
+            raise Refusal(f"{self._where(corner)}: a side that is no straight line ends there, and would have to be trimmed")
         return span
 
     def _require_closed(self, parts):
@@ -138,10 +138,8 @@ class _Rolling:
         first, last = parts[0].fillet, parts[-1].fillet
         if first.periodic[0]:
             return
-        rows = [_row(patch, side) for patch, sides in ((first, ('u_start', 'u_end')), (last, ('u_start', 'u_end'))) for side in sides]
-        near = 1e-9 * self.body.size
-        if not any(np.abs(a - b).max() <= near for a in rows[:2] for b in rows[2:] if a is not b and a.shape == b.shape
-                   and (len(parts) > 1 or a is rows[0] and b is rows[3])):
+        start, end = (np.asarray(patch.boundary(side).points) for patch, side in ((first, 'u_start'), (last, 'u_end')))
+        if start.shape != end.shape or not np.abs(start - end).max() <= 1e-9 * self.body.size:
             raise Refusal(f"edge {self.edge.number}: it is closed, but does not go on smoothly where it closes")
 
     def _where(self, corner):
@@ -178,8 +176,8 @@ class _Rolling:
             for piece in (pieces[ending][0], arc, pieces[starting][0]):
                 off = np.abs((_points(piece) - self.body.faces[face].plane[0]) @ outline.normal).max()
                 if not off <= self.tolerance:
-                    raise Refusal(f"{self._where(corner)}: the rounded edge leaves the plane in which it ends by {off:.2g}, and would "
-                                  "have to be trimmed")
+                    raise Refusal(f"{self._where(corner)}: the rounded edge leaves the plane in which it ends by {off:.2g}, and "
+                                  "would have to be trimmed")
             pieces[ending].append(arc)
         self._fill(face, [piece for those in pieces for piece in those], self._where(ends[0][0]))
 
@@ -199,11 +197,11 @@ class _Rolling:
         share = (point - self.body.corners[corner]) @ way / (way @ way)
         off = np.linalg.norm(point - self.body.corners[corner] - share * way)
         if not (0.0 < share < 1.0 and off <= self.tolerance):
-            raise Refusal(f"edge {self.edge.number}, {named(self.body, corner)}: the radius is too large for the side of the plane there")
+            raise Refusal(f"{self._where(corner)}: the radius is too large for the side of the plane there")
         return point
 
     def _shortened(self, span, corner, face):
-        """What is left of a side of a plane face that a surface beside the edge has, in the direction in which the face has it."""
+        """What is left of a side of a plane face that a surface beside the edge has, as it runs in the face."""
         if (span.across, corner) in self.at:
             return self._line(span.across, span)
         body = self.body
@@ -250,8 +248,7 @@ class _Rolling:
     def _fill(self, face, pieces, where):
         made = filled(pieces, self.outline(face).normal, self.body.size)
         if not made:
-            raise Refusal(f"{where}: what is left of the plane there is not seen from one point: the radius is too large for it, or "
-                          "it has corners that go inwards")
+            raise Refusal(f"{where}: what is left of the plane there cannot be filled: the radius is too large for it")
         self.left[face] = made
 
     def _cells(self):
@@ -275,18 +272,15 @@ def _facing(part):
     return fillet if np.vdot(normals, others) > 0.0 else fillet.reversed('u')
 
 
-def _row(patch, side):
-    return np.asarray(patch.boundary(side).points)
-
-
 def _clamped(curve):
     return curve.split(curve.domain[0])[0] if curve.periodic else curve
 
 
 def _in_order(curves):
     """Each from where the one before it ends; they are that, or the other way round."""
-    gaps = [np.linalg.norm(a.points[-1] - b.points[0]) for a, b in ((curves[0], curves[-1]), (curves[0], curves[min(1, len(curves) - 1)]))]
-    return curves if gaps[1] <= gaps[0] else curves[::-1]
+    first, second, last = curves[0], curves[min(1, len(curves) - 1)], curves[-1]
+    gaps = [np.linalg.norm(first.points[-1] - other.points[0]) for other in (second, last)]
+    return curves if gaps[0] <= gaps[1] else curves[::-1]
 
 
 def _points(piece):

@@ -27,8 +27,9 @@ def runs_square(cell, name):
 
 
 def strip_of(curve, normal, width, ends=(None, None)):
-    """A NurbsPatch whose v_start is a curve in a plane, and which lies to its left, seen from where the normal points to. ends: the
-    directions in which its ends run, None for right angles. Of segments and arcs of circles its lines across are at right angles."""
+    """A NurbsPatch whose v_start is a curve in a plane, and which lies to its left, seen from where the normal points to. ends:
+    the directions in which its ends run, None for right angles. Of segments and arcs its lines across are at right angles. Raises
+    Refusal."""
     inner = _beside(np.asarray(curve.points), normal, width, bool(curve.periodic), ends)
     made = sc.build.ruled(curve, curve.with_points(inner))
     if _is_folded(made):
