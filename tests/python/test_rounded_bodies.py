@@ -233,6 +233,8 @@ def test_numbers_of_edges_that_mean_nothing_are_refused(text, message):
 def test_a_radius_that_is_too_large_is_refused_with_the_edge():
     with pytest.raises(failures.Refusal, match=r"too large for the surfaces beside edge 7: nothing is left"):
         make('rounded_edge', sc.PatchSet.from_patches(BOX), radius=4.0, end_radius=4.0, edges="7")
+    with pytest.raises(failures.Refusal, match="First Side and Second Side are for two"):
+        make('rounded_edge', sc.PatchSet.from_patches(BOX), first_side='u_end')
     with pytest.raises(failures.Refusal, match="Radius and End Radius are one"):
         make('rounded_edge', sc.PatchSet.from_patches(BOX), radius=0.1, end_radius=0.2)
 
@@ -265,6 +267,17 @@ def test_an_edge_that_ends_in_planes_takes_these_back():
         require_smooth(require_closed(made.patches), lambda _: False)
     with pytest.raises(failures.Refusal, match="the corner of edges .*not all surfaces there are planes"):
         rounding.rounded([patches], "", 0.1, 1e-5)
+
+
+def test_a_wall_and_a_lid_of_two_shapes_are_exact_whatever_the_patch_of_the_lid():
+    outline = core('recipes.meeting_recipes')._without_corners(np.array([(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0.0)]), 'round', 0.5, True)
+    wall_patch, bottom, top = capped(outline, 0, 0, 1)
+    for cap in (bottom, top):
+        made = make('rounded_edge', wall_patch, cap, radius=0.3, end_radius=0.3)
+        assert made.error < 1e-12 and made.said == "1 edge rounded"
+        together = sc.PatchSet.from_patches(list(made.value))
+        assert together.edge_counts()['free'] == 1
+        require_smooth(together, lambda _: True)
 
 
 def wall(x=2.0, low=0.0, tilt=0.0):

@@ -66,12 +66,15 @@ def _rounded(inputs, radius, end_radius, first_side, second_side, edges, toleran
     if len(shapes) == 2 and not edges.strip() and len(shapes[0]) == len(shapes[1]) == 1:
         try:
             return _rounded_sides(inputs, radius, end_radius, first_side, second_side, tolerance, cancel)
-        except (Refusal, sc.InvalidShape):
-            has_edge = any(rounding.is_between(body, edge) for body in [rounding.body_between(shapes)] for edge in body.edges)
-            if not has_edge and _are_apart(inputs, first_side, second_side):
+        except (Refusal, sc.InvalidShape, sc.ToleranceNotReached):
+            if not rounding.meet(shapes):
+                if not _are_apart(inputs, first_side, second_side):
+                    raise
                 return _rounded_crossing(shapes, radius, end_radius, first_side, second_side, tolerance, cancel)
-            if not has_edge or radius != end_radius:
+            if radius != end_radius or (first_side, second_side) != ('nearest', 'nearest'):
                 raise
+    if (first_side, second_side) != ('nearest', 'nearest'):
+        raise Refusal("First Side and Second Side are for two surfaces of one patch each: here Edges says which are rounded")
     if radius != end_radius:
         raise Refusal("a radius that changes is for the edge of two surfaces of one patch each: here Radius and End Radius are one")
     found = rounding.rounded(shapes, edges, radius, tolerance, cancel)

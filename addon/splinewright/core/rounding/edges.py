@@ -48,6 +48,12 @@ def body_between(shapes):
     return body_of([(cell, patches[number][1]) for cell, number in cells_of([patch for patch, _ in patches])])
 
 
+def meet(shapes):
+    """Whether two lists of patches have an edge in common."""
+    body = body_between(shapes)
+    return any(is_between(body, edge) for edge in body.edges)
+
+
 def is_between(body, edge):
     """Whether two shapes meet in an edge."""
     return any(body.owners[first.cell] != body.owners[second.cell] for first, second in edge.pairs)
