@@ -11,7 +11,7 @@ import numpy as np
 from ..bridge import placing, recipes, shape, store, surveys
 from ..core import sections, verbs
 from ..core.failures import FAILURES
-from . import picking, strokes
+from . import numbers_overlay, picking, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)
 _SIZE = 15.0
@@ -81,6 +81,17 @@ def draw():
         gpu.state.blend_set('NONE')
 
 
+def _hidden(context, found):
+    """Which Sections are edges that lie behind the surface itself."""
+    ob = context.object
+    matrix = np.array(ob.matrix_world, dtype=np.float64)
+    if 'edges' not in recipes.of(ob.data).defaults or not abs(np.linalg.det(matrix)) > 0.0:
+        return np.zeros(len(found), bool)
+    back = np.linalg.inv(matrix)
+    points = np.array([one.foot for one in found]) @ back[:3, :3].T + back[:3, 3]
+    return numbers_overlay.hidden_ones(context, ob, points)
+
+
 def draw_numbers():
     """Called by Blender for each 3D view, in pixels."""
     found, context = _of_context(), bpy.context
@@ -92,8 +103,8 @@ def draw_numbers():
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
     blf.size(0, _SIZE * scale)
-    blf.color(0, *_COLOR)
-    for one, foot, head in zip(found, feet, heads):
+    for one, foot, head, is_hidden in zip(found, feet, heads, _hidden(context, found)):
+        blf.color(0, *_COLOR[:3], numbers_overlay.HIDDEN if is_hidden else _COLOR[3])
         text = str(one.number)
         behind = foot - _BEHIND * scale * (head - foot) / (np.linalg.norm(head - foot) or 1.0)
         if np.isfinite(behind).all():

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .. import patch_curves
+from ..failures import Refusal
 from ..library import sc
 from .cells import FLAT, SMOOTH_TURN, parts_of, plane_of
 
@@ -68,15 +69,16 @@ class Body:
 
 
 def body_of(owned):
-    """The Body of pairs of a NurbsPatch and a number of whose it is, cut where corners of others lie on their sides."""
+    """The Body of pairs of a NurbsPatch and a number of whose it is, cut where corners of others lie on their sides. Raises
+    Refusal."""
     for _ in range(_ROUNDS):
         body = _body([cell for cell, _ in owned], [owner for _, owner in owned])
         cuts = _cuts(body)
         if not cuts:
-            break
+            return body
         owned = [(part, owner) for i, (cell, owner) in enumerate(owned)
                  for part in (parts_of(cell, *cuts[i]) if i in cuts else [cell])]
-    return body
+    raise Refusal("corners of patches lie on sides of others that would have to be cut again and again: let their sides meet first")
 
 
 def _cuts(body):
