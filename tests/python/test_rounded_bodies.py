@@ -280,6 +280,25 @@ def test_a_wall_and_a_lid_of_two_shapes_are_exact_whatever_the_patch_of_the_lid(
         require_smooth(together, lambda _: True)
 
 
+def test_three_surfaces_in_one_edge_and_four_in_a_corner_are_refused():
+    fan = [build.plane((0, 0, 0), (1, 0, 0), way) for way in ((0, 1, 0), (0, 0, 1), (0, -1, 0.3))]
+    with pytest.raises(failures.Refusal, match="edge 1: more than two surfaces meet in it"):
+        rounding.rounded([fan], "", 0.1, 1e-4)
+    base, top = [(1, 1, 0), (-1, 1, 0), (-1, -1, 0), (1, -1, 0)], (0, 0, 1)
+    pyramid = [quad(base[i], base[(i + 1) % 4], top, top) for i in range(4)]
+    with pytest.raises(failures.Refusal, match="the corner of edges 1, 2, 3 and 4: 4 rounded edges and 4 surfaces meet there"):
+        rounding.rounded([pyramid], "", 0.1, 1e-4)
+    made = rounding.rounded([[*pyramid, quad(*base[::-1])]], "1", 0.1, 1e-4)
+    require_closed(made.patches)
+
+
+def test_walls_side_by_side_in_one_plane_are_one_wall():
+    walls = [build.plane((x, 0, 0), (2, 0, 0), (0, 0, 1)) for x in (0, 2)]
+    made = rounding.rounded([[build.plane((0, 0, 0), (4, 0, 0), (0, 2, 0))], walls], "", 0.2, 1e-4)
+    assert made.count == 1 and len(made.patches) == 3
+    require_closed(made.patches, free=8)
+
+
 def wall(x=2.0, low=0.0, tilt=0.0):
     return build.plane((0, tilt, low), (x, -2 * tilt, 0), (0, 0, 1 - low))
 

@@ -153,6 +153,15 @@ def _are_one(a, b, near):
     return True
 
 
+def require_two(body, edge):
+    """Raises Refusal where other sides lie on an edge than two."""
+    own = {(side.cell, side.name) for pair in edge.pairs for side in pair}
+    for pair in edge.pairs:
+        for side in body.sides:
+            if (side.cell, side.name) not in own and _are_one(pair[0], side, _SAME * body.size):
+                raise Refusal(f"edge {edge.number}: more than two surfaces meet in it")
+
+
 def _is_smooth(cells, planes, a, b):
     first, second = planes[a.cell], planes[b.cell]
     if first is not None and second is not None:

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..failures import Refusal
 from . import planes, rolling
-from .body import body_of
+from .body import body_of, require_two
 from .cells import cells_of
 
 
@@ -28,6 +28,8 @@ def rounded(shapes, text, radius, tolerance, cancel=None):
     if not numbers:
         raise Refusal("no side of one surface lies on a side of the other one with an angle between them")
     chosen = [body.edges[number - 1] for number in numbers]
+    for edge in chosen:
+        require_two(body, edge)
     rolled = [edge for edge in chosen if not is_of_planes(body, edge)]
     flat = [edge for edge in chosen if is_of_planes(body, edge)]
     _require_apart(body, rolled, flat)

@@ -81,15 +81,23 @@ def _loop(parts, named):
 
 
 def _merged(loop):
-    """With sides of one rounded edge as one."""
-    start = next((i for i, span in enumerate(loop) if span.edge == 0 or span.edge != loop[i - 1].edge), 0)
+    """With sides of one rounded edge as one, and open ones that go straight on."""
+    start = next((i for i, span in enumerate(loop) if not _are_one(loop[i - 1], span)), 0)
     found = []
     for span in loop[start:] + loop[:start]:
-        if found and span.edge and span.edge == found[-1].edge:
+        if found and _are_one(found[-1], span):
             found[-1] = found[-1]._replace(end=span.end, curves=(*found[-1].curves, *span.curves))
         else:
             found.append(span)
     return found
+
+
+def _are_one(span, following):
+    if span.edge or following.edge:
+        return span.edge == following.edge
+    together = span._replace(curves=(*span.curves, *following.curves))
+    ways = [one.curves[-1].points[-1] - one.curves[0].points[0] for one in (span, following)]
+    return span.across is None and following.across is None and together.is_line and ways[0] @ ways[1] > 0.0
 
 
 def segment(start, end):

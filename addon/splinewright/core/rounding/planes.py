@@ -179,7 +179,7 @@ class _Rounding:
     def _pieces(self, face, span, changing):
         start, end = (self._place(face, span, corner) for corner in (span.start, span.end))
         is_moved = any((face, corner) in self.at or (face, corner) in self.arcs_of for corner in (span.start, span.end))
-        if not is_moved and not (span.is_line and len(span.curves) == 1 and (span.across is None or span.across in changing)):
+        if not is_moved and not (span.is_line and (span.across is None or span.across in changing)):
             return list(span.curves)
         along = self.body.corners[span.end] - self.body.corners[span.start]
         if not (end - start) @ along > 1e-9 * (along @ along):
