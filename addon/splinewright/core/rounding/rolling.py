@@ -19,12 +19,20 @@ class Rolled(NamedTuple):
 
 def rolled(body, edge, radius, tolerance, cancel=None):
     """The Rolled cells of a Body with one of its edges rounded. Raises Refusal or an error of the library."""
-    rolling, refused = _Rolling(body, edge, radius, tolerance, cancel), None
+    rolling, refused, first = _Rolling(body, edge, radius, tolerance, cancel), None, None
     for width in (None, *strips.WIDTHS) if rolling.fits_as_it_is() else (*strips.WIDTHS, None):
+        if width is None and first is not None:
+            break
         try:
-            return rolling.tried(width)
+            found = rolling.tried(width)
         except (Refusal, sc.InvalidShape, sc.ToleranceNotReached) as error:
             refused = refused or error
+            continue
+        if not rolling.is_finer_than_needed():
+            return found
+        first = first or found
+    if first is not None:
+        return first
     if f"edge {edge.number}" in str(refused):
         raise refused
     raise Refusal(f"edge {edge.number}: {refused}") from refused
@@ -71,6 +79,7 @@ class _Rolling:
         else:
             parts = sc.build.fillet_chain(asked, self.radius, tolerance=self.tolerance, cancel=self.cancel)
         self.sides = [(part.first, part.second) for part in parts]
+        self.degree = max(part.fillet.degree[0] for part in parts)
         if self.edge.is_closed:
             self._require_closed(parts)
         for pair, sides in zip(self.edge.pairs, self.sides):
@@ -87,6 +96,11 @@ class _Rolling:
         for i in self.strips:
             self._refill(i)
         return Rolled([*self._cells(), *map(_facing, parts)], max(part.error for part in parts))
+
+    def is_finer_than_needed(self):
+        """Whether segments and arcs, beside which strips are exact, were fitted after all, for digits that were lost."""
+        curves = [pair[i].curve for pair in self.edge.pairs for i in range(2)]
+        return bool(self.strips) and max(curve.degree for curve in curves) <= 2 < self.degree
 
     def outline(self, face):
         if face not in self.outlines:

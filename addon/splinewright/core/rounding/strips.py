@@ -7,7 +7,7 @@ from ..failures import Refusal
 from ..library import sc
 
 #: How wide strips are by the radius, in the order in which they are tried.
-WIDTHS = (1.02, 1.5, 4.0, 12.0)
+WIDTHS = (1.02, 1.05, 1.1, 1.5, 4.0, 12.0)
 _SAMPLES = 9
 #: Lines across that are off a right angle by less, in radians, run at right angles.
 _SQUARE = 1e-6
