@@ -139,3 +139,20 @@ def test_two_edges_that_end_in_a_corner_of_three_are_refused_by_its_name():
     activate(source)
     with pytest.raises(RuntimeError, match="the corner of edges .* 2 rounded edges and 3 surfaces meet there"):
         op(bpy.ops.splinewright.add_rounded_edge, radius=0.2, edges=text)
+
+
+def test_an_extruded_outline_with_caps_is_rounded_and_follows_the_outline():
+    assert op(bpy.ops.splinewright.add_contour, closed=True, corner_size=0.3) == {'FINISHED'}
+    outline = bpy.context.object
+    assert op(bpy.ops.splinewright.add_extrude, caps='both') == {'FINISHED'}
+    body = bpy.context.object
+    ob = rounded(body, radius=0.1)
+    assert recipes.read(ob.data).said == "2 edges rounded" and open_edges(ob) == 0 and recipes.error(ob.data) < 1e-9
+    before = volume_of(ob)
+    outline.data.splinewright_parameters.contour_corner_size = 0.2
+    bpy.context.view_layer.update()
+    assert volume_of(ob) > before and open_edges(ob) == 0 and not follow.problem(ob.data)
+    kept = ob.data.splinewright.value
+    outline.data.splinewright_parameters.contour_corner_size = 0.05
+    bpy.context.view_layer.update()
+    assert "radius is too large" in follow.problem(ob.data) and ob.data.splinewright.value == kept

@@ -397,3 +397,14 @@ def test_corners_are_rounded_first_and_then_the_rims():
         require_smooth(require_closed(second.patches), lambda _: True)
         with pytest.raises(failures.Refusal, match="edge 1: the radius is too large"):
             rounding.rounded([first.patches], "", 0.35, 1e-5)
+
+
+@pytest.mark.parametrize("seed, share", [(31, 0.8760990821436997), (48, 0.8518831583658625)])
+def test_arcs_that_go_on_beyond_their_ends_keep_their_digits(seed, share):
+    """Beside the ends of an edge patches go on for the ball: an arc that does has huge points, which cancel."""
+    outline, least = outline_at_random(np.random.default_rng([seed, 414]))
+    upright, radius = capped(outline, 0, 0, 2)[0], share * least
+    for width in (1.001, 1.01, 1.02, 1.05):
+        strip = core('rounding.strips').strip_of(upright.boundary('v_start'), np.array([0, 0, 1.0]), width * radius)
+        made = build.fillet_patches(upright, 'v_start', strip, 'v_start', radius, tolerance=1e-5)
+        assert made.error < 1e-12
