@@ -19,9 +19,9 @@ texts = part('ui.texts')
 MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset', 'trim_curve',
           'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves', 'extend_curve', 'split_where_met', 'intersections',
           'add_touching_circle', 'join_curves', 'add_offset_surface', 'add_thickened', 'add_extended_surface', 'cap'}
-#: Only the work itself tells whether what was changed was moved as a whole, or whether there is a hole to fill; what was just made
-#: can be made with other settings.
-TOLD_LATE = {('touched', 'adopt_transform'), ('revolved', 'add_revolve')}
+#: Only the work itself tells whether what was changed was moved as a whole, whether there is a hole to fill, or whether all of
+#: several edges can be rounded; what was just made can be made with other settings.
+TOLD_LATE = {('touched', 'adopt_transform'), ('revolved', 'add_revolve'), ('teapot', 'add_rounded_edge')}
 MENDED |= {f"patch_{name}" for name in MENDED}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
 NOT_RUN = {'pick_piece', 'insert_here', 'measure_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here',

@@ -119,6 +119,13 @@ def kept_up(data, ob, inputs, depsgraph):
     return Space(place, depsgraph, dict(zip(inputs, relative)))
 
 
+def now(data, ob, inputs, depsgraph):
+    """kept_up() as it was left, with nothing written. Raises Refusal."""
+    if not moves_freely(data):
+        return of_object(ob, depsgraph)
+    return Space(_matrices(data, _PLACE)[0], depsgraph, dict(zip(inputs, _matrices(data, _RELATIVE))))
+
+
 def applied(data, matrix, inputs, depsgraph):
     """The Space of a shape that moves freely after an affine matrix (4, 4) was applied to what it shows: the inputs lie in it as
     that does."""

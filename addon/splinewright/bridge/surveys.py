@@ -3,8 +3,9 @@
 import time
 from contextlib import suppress
 
-from ..core import aiming, continuity, landmarks, measured, offers, seams, verbs
+from ..core import aiming, continuity, landmarks, measured, offers, seams, transform, verbs
 from ..core.library import sc
+from ..core.rounding import edges as rounding
 from . import store
 from .file_state import remember, state
 
@@ -53,6 +54,16 @@ def pieces_of(data):
 def samples_of(data):
     """For each curve of a definition its core.aiming.Samples. Raises store.UnreadableDefinition."""
     return _kept('samples', data, lambda definition: list(map(aiming.samples, verbs.pieces_of(definition))))
+
+
+def edges_of(data, sources, matrices):
+    """(n, 3): a point on each edge of shapes under matrices, as Round Edge numbers them, kept for what they make. Raises
+    store.UnreadableDefinition and Refusal."""
+    key = 'edges', data.name, *(store.digest(source.data) for source in sources), *(matrix.tobytes() for matrix in matrices)
+    if key not in state.surveys:
+        shapes = [verbs.pieces_of(transform.transformed(store.read(source.data), matrix)) for source, matrix in zip(sources, matrices)]
+        remember(state.surveys, key, rounding.middles_of(shapes), _KEPT)
+    return state.surveys[key]
 
 
 def refused(data):

@@ -1,6 +1,7 @@
 """Which verbs can do nothing with a definition, whatever their settings: buttons that would be refused are grey."""
 
 from . import describe
+from .creases import creases_of
 
 
 def refused(definition):
@@ -23,7 +24,9 @@ def refused(definition):
     names = {name for name, is_so in no_work.items() if is_so}
     if definition.has_curves:
         return frozenset(names - {'to_hermite'})            # of conics, within a tolerance
-    return frozenset({f"patch_{name}" for name in names - {'join_patches'}} | names & {'join_patches'})
+    has_edges = not is_one or bool(creases_of(definition)[0])
+    of_patches = names & {'join_patches'} | ({'add_rounded_edge'} if not has_edges else set())
+    return frozenset({f"patch_{name}" for name in names - {'join_patches'}} | of_patches)
 
 
 def _inner_knots(piece):

@@ -14,7 +14,7 @@ from . import hand, picking, strokes
 #: Of other pieces, of those in hand, of the one at the mouse.
 COLORS = ((1.0, 1.0, 1.0, 1.0), (1.0, 0.75, 0.2, 1.0), (0.35, 1.0, 0.5, 1.0))
 #: Of numbers that the surface hides this part is seen.
-_HIDDEN = 0.3
+HIDDEN = 0.3
 #: Shapes of more pieces show no numbers; those of meshes of more faces are never hidden.
 _MOST_PIECES, _MOST_FACES = 500, 200_000
 _SIZE = 15.0
@@ -115,7 +115,7 @@ def _draw_numbers(context, numbered, points):
         is_hovered = state.hovered == (ob.name, i + 1)
         color = COLORS[2 if is_hovered else number in numbered.marked]
         blf.size(0, (1.5 if is_hovered else 1.0) * _SIZE * scale)
-        blf.color(0, *color[:3], _HIDDEN if hidden[i] and not is_hovered else 1.0)
+        blf.color(0, *color[:3], HIDDEN if hidden[i] and not is_hovered else 1.0)
         text = numbered.text(i)
         width, height = blf.dimensions(0, text)
         blf.position(0, x - width / 2, y - height / 2, 0)

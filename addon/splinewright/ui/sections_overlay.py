@@ -1,4 +1,5 @@
-"""The numbers of what the active surface is made from, and which way curves of it run, in the 3D views."""
+"""The numbers of what the active surface is made from, and which way curves of it run, or of edges that it rounds, in the 3D
+views."""
 
 from typing import NamedTuple
 
@@ -7,10 +8,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import recipes, shape, store
+from ..bridge import placing, recipes, shape, store, surveys
 from ..core import sections, verbs
 from ..core.failures import FAILURES
-from . import picking, strokes
+from . import numbers_overlay, picking, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)
 _SIZE = 15.0
@@ -21,10 +22,10 @@ _MOST = 200
 
 
 class Section(NamedTuple):
-    """Where a curve or surface is seen."""
+    """Where a curve, surface or edge is seen."""
 
     number: int
-    foot: np.ndarray                    # (3,) in the world: where a curve starts; the middle of a surface
+    foot: np.ndarray                    # (3,) in the world: where a curve starts; the middle of a surface or edge
     head: np.ndarray                    # (3,): a part of a curve further; the same of a surface
 
 
@@ -36,10 +37,24 @@ def shown(ob):
         stored = recipes.read(ob.data)
         if not stored.recipe.has_more or len(stored.sources) > _MOST:
             return []
+        if 'edges' in stored.recipe.defaults:
+            return _edges(ob, stored.sources)
         return [_section(i + 1, source, is_turned) for i, (source, is_turned) in enumerate(zip(stored.sources, stored.turned))
                 if source is not None and source.visible_get() and shape.has_shape(source)]
     except FAILURES:
         return []
+
+
+def _edges(ob, sources):
+    """Sections at the edges of what a shape rounds."""
+    if not all(source is not None and shape.has_shape(source) for source in sources):
+        return []
+    space = placing.now(ob.data, ob, sources, bpy.context.evaluated_depsgraph_get())
+    points = surveys.edges_of(ob.data, sources, [space.of(source) for source in sources])
+    if len(points) > _MOST:
+        return []
+    matrix = np.array(ob.matrix_world, dtype=np.float64)
+    return [Section(i + 1, point, point) for i, point in enumerate(points @ matrix[:3, :3].T + matrix[:3, 3])]
 
 
 def _section(number, source, is_turned):
@@ -66,6 +81,17 @@ def draw():
         gpu.state.blend_set('NONE')
 
 
+def _hidden(context, found):
+    """Which Sections are edges that lie behind the surface itself."""
+    ob = context.object
+    matrix = np.array(ob.matrix_world, dtype=np.float64)
+    if 'edges' not in recipes.of(ob.data).defaults or not abs(np.linalg.det(matrix)) > 0.0:
+        return np.zeros(len(found), bool)
+    back = np.linalg.inv(matrix)
+    points = np.array([one.foot for one in found]) @ back[:3, :3].T + back[:3, 3]
+    return numbers_overlay.hidden_ones(context, ob, points)
+
+
 def draw_numbers():
     """Called by Blender for each 3D view, in pixels."""
     found, context = _of_context(), bpy.context
@@ -77,8 +103,8 @@ def draw_numbers():
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
     blf.size(0, _SIZE * scale)
-    blf.color(0, *_COLOR)
-    for one, foot, head in zip(found, feet, heads):
+    for one, foot, head, is_hidden in zip(found, feet, heads, _hidden(context, found)):
+        blf.color(0, *_COLOR[:3], numbers_overlay.HIDDEN if is_hidden else _COLOR[3])
         text = str(one.number)
         behind = foot - _BEHIND * scale * (head - foot) / (np.linalg.norm(head - foot) or 1.0)
         if np.isfinite(behind).all():

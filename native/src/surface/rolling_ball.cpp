@@ -7,6 +7,9 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
@@ -23,15 +26,44 @@ namespace {
 /// How far, by the radius, patches go on beyond the ends of their edge: where sides slant, contacts lie farther out.
 constexpr double kBeyond = 2.0;
 
-/// Sides that cross the edge are moved out, for balls that touch a patch a little beyond them; where that cannot be, not.
+/// Whether a patch that was made longer is still where it was beside the side: rational ones may have huge points then, which cancel.
+bool stays(const NurbsPatch& wide, const NurbsPatch& patch, Border side) {
+  constexpr double kRounding = 0x1p-42;
+  const std::vector<double> knots = inner_knots(patch.knot_vector(Axis::u));
+  const Interval u = patch.knot_vector(Axis::u).domain();
+  const Interval v = patch.knot_vector(Axis::v).domain();
+  const bool is_start = side == Border::u_start;
+  const double end = is_start ? u.start : u.end;
+  const double next = knots.empty() ? (is_start ? u.end : u.start) : (is_start ? knots.front() : knots.back());
+  for (const double share : {0.0, 0.25, 0.5, 0.75}) {
+    for (const double at : {v.start, 0.5 * (v.start + v.end), v.end}) {
+      const glm::dvec2 place(std::lerp(end, next, share), at);
+      glm::dvec3 before;
+      glm::dvec3 behind;
+      evaluate(patch, std::span(&place.x, 1), std::span(&place.y, 1), std::span(&before.x, 3));
+      evaluate(wide, std::span(&place.x, 1), std::span(&place.y, 1), std::span(&behind.x, 3));
+      if (!(distance_of(before, behind) <= kRounding)) return false;
+    }
+  }
+  return true;
+}
+
+/// Sides that cross the edge are moved out, for balls that touch a patch a little beyond them; less where digits are lost, and where
+/// that cannot be, not.
 NurbsPatch widened(const NurbsPatch& patch, double length) {
+  constexpr int kTries = 4;
   NurbsPatch wide = patch;
   if (patch.knot_vector(Axis::u).periodic()) return wide;
   for (const Border side : {Border::u_start, Border::u_end}) {
-    try {
-      wide = extended(wide, side, length);
-    } catch (const InvalidShape&) {
-      continue;
+    for (int k = 0; k < kTries; ++k) {
+      try {
+        NurbsPatch longer = extended(wide, side, std::ldexp(length, -2 * k));
+        if (!stays(longer, patch, side)) continue;
+        wide = std::move(longer);
+        break;
+      } catch (const InvalidShape&) {
+        continue;
+      }
     }
   }
   return wide;

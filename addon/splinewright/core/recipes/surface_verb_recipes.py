@@ -3,7 +3,10 @@
 import math
 
 from .. import decimals, patch_joints, verbs
+from ..failures import Refusal
 from ..library import sc
+from ..rounding import crossing
+from ..rounding import edges as rounding
 from .meeting_recipes import patches_of
 from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
 
@@ -58,12 +61,52 @@ def _matched(inputs, continuity, first_side, second_side, rows, strength, cancel
     return Result(found.value, 0.0, f"{_measured(found.value, side_a, b, side_b)}; {moved}")
 
 
-def _rounded(inputs, radius, end_radius, first_side, second_side, tolerance, cancel=None):
+def _rounded(inputs, radius, end_radius, first_side, second_side, edges, tolerance, cancel=None):
+    shapes = list(map(patches_of, inputs))
+    if len(shapes) == 2 and not edges.strip() and len(shapes[0]) == len(shapes[1]) == 1:
+        try:
+            return _rounded_sides(inputs, radius, end_radius, first_side, second_side, tolerance, cancel)
+        except (Refusal, sc.InvalidShape, sc.ToleranceNotReached):
+            if not rounding.meet(shapes):
+                if not _are_apart(inputs, first_side, second_side):
+                    raise
+                return _rounded_crossing(shapes, radius, end_radius, first_side, second_side, tolerance, cancel)
+            if radius != end_radius or (first_side, second_side) != ('nearest', 'nearest'):
+                raise
+    if (first_side, second_side) != ('nearest', 'nearest'):
+        raise Refusal("First Side and Second Side are for two surfaces of one patch each: here Edges says which are rounded")
+    if radius != end_radius:
+        raise Refusal("a radius that changes is for the edge of two surfaces of one patch each: here Radius and End Radius are one")
+    found = rounding.rounded(shapes, edges, radius, tolerance, cancel)
+    return of_patches(found.patches, found.error, "1 edge rounded" if found.count == 1 else f"{found.count} edges rounded")
+
+
+def _radii(patch, side, radius, end_radius):
+    start, end = patch.domain[1 if side.startswith('u') else 0]
+    return radius if radius == end_radius else [(start, radius), (end, end_radius)]
+
+
+def _rounded_sides(inputs, radius, end_radius, first_side, second_side, tolerance, cancel):
     a, side_a, b, side_b = _sides(inputs, first_side, second_side)
-    start, end = a.domain[1 if side_a.startswith('u') else 0]
-    radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
+    radii = _radii(a, side_a, radius, end_radius)
     found = sc.build.fillet_patches(a, side_a, b, side_b, radii, tolerance=tolerance, cancel=cancel)
     return of_patches([found.first, found.fillet, found.second], found.error)
+
+
+def _rounded_crossing(shapes, radius, end_radius, first_side, second_side, tolerance, cancel):
+    cut = crossing.cut_back(*shapes[0], *shapes[1], first_side, second_side, cancel)
+    radii = _radii(cut.first, cut.first_side, radius, end_radius)
+    found = sc.build.fillet_patches(*cut, radii, tolerance=tolerance, cancel=cancel)
+    return of_patches([found.first, found.fillet, found.second], found.error, "cut back to where they cross")
+
+
+def _are_apart(inputs, first_side, second_side):
+    """Whether the sides that are meant are not one edge."""
+    try:
+        a, side_a, b, side_b = _sides(inputs, first_side, second_side)
+    except Refusal:
+        return True                     # one has no side at all
+    return not sc.seam_continuity(a, side_a, b, side_b).gap <= 1e-6 * max(definition.size for definition in inputs)
 
 
 def _offset(inputs, distance, tolerance, cancel=None):
@@ -126,10 +169,13 @@ RECIPES = (
             Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0)),
            _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
-           "Two surfaces that meet in an edge, with a surface in its place that a rolling ball touches; it follows both",
+           "Surfaces with a surface in the place of their edges that a rolling ball touches: of the edge in which two surfaces meet, "
+           "or cross, of all edges of one, or of those whose numbers are given; it follows them",
            (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends", "radius"),
-            _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"), _TOLERANCE),
-           _rounded, is_surface=True, resolution=8, inputs=("one surface", "another surface"), is_measured=True,
+            _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"),
+            Parameter("edges", "Edges", "Numbers of the edges that are rounded, such as 1, 4-6, as the view shows them while the result "
+                      "is active; none: where two surfaces meet, or all of one", ""), _TOLERANCE),
+           _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface or more",), has_more=True, is_measured=True,
            takes_cancel=True),
     Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it follows it",
            (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,

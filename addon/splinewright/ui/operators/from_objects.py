@@ -7,7 +7,7 @@ import numpy as np
 from bpy.props import BoolProperty, StringProperty
 from mathutils import Matrix
 
-from ...bridge import derived, follow, recipes, shape
+from ...bridge import derived, follow, recipes, shape, surveys
 from ...core.failures import FAILURES, Refusal
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props, scene_tolerance
@@ -20,7 +20,7 @@ from .pick_piece import draw_number
 _VERBS = ('revolve', 'extrude', 'projected', 'loft', 'sweep', 'two_rails', 'filling', 'surface_blend', 'matched', 'rounded_edge', 'offset_surface', 'thickened',
           'extended_surface', 'of_mesh', 'mirror')
 #: Of parameters that mean something for one object only.
-_MORE = {'piece': {'options': {'SKIP_SAVE'}}}
+_MORE = {name: {'options': {'SKIP_SAVE'}} for name in ('piece', 'edges')}
 
 
 class _FromObjects(LongWork, Repeatable):
@@ -45,6 +45,8 @@ class _FromObjects(LongWork, Repeatable):
         """What is to be selected in place of these objects, or ""."""
         recipe = cls.recipe
         fits = recipe.takes(len(sources)) and all(is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
+        if fits and 'edges' in recipe.defaults and len(sources) == 1 and _has_no_edge(sources[0]):
+            return "Select two surfaces that meet, or one with an edge inside it"
         return "" if fits else f"Select {recipe.wanted}"
 
     def invoke(self, context, event):
@@ -158,6 +160,12 @@ def is_wanted(ob, what):
     """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, a point, or any."""
     kind = {'CURVE': "curve", 'EMPTY': "point"}.get(ob.type, "surface")
     return kind in what or not any(word in what for word in ("curve", "surface", "point"))
+
+
+def _has_no_edge(ob):
+    with suppress(*FAILURES):
+        return shape.has_shape(ob) and 'add_rounded_edge' in surveys.refused(ob.data)
+    return False
 
 
 def _beside(context):

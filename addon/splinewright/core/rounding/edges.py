@@ -1,0 +1,122 @@
+"""Which edges of surfaces are rounded, and what comes of it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..failures import Refusal
+from . import planes, rolling
+from .body import body_of, require_two
+from .cells import cells_of
+
+
+class Rounded(NamedTuple):
+    patches: list
+    error: float
+    count: int                          # of edges that were rounded
+
+
+def rounded(shapes, text, radius, tolerance, cancel=None):
+    """Lists of patches with edges of theirs rounded: those whose numbers a text has; without numbers those in which two shapes
+    meet, or if there are not two of them, all. Raises Refusal or an error of the library."""
+    body = body_between(shapes)
+    if not body.edges:
+        raise Refusal("there is no edge: no two sides lie on each other with an angle between their surfaces")
+    numbers = numbers_of(text, len(body.edges))
+    if not numbers:
+        numbers = [edge.number for edge in body.edges if len(shapes) != 2 or is_between(body, edge)]
+    if not numbers:
+        raise Refusal("no side of one surface lies on a side of the other one with an angle between them")
+    chosen = [body.edges[number - 1] for number in numbers]
+    for edge in chosen:
+        require_two(body, edge)
+    rolled = [edge for edge in chosen if not is_of_planes(body, edge)]
+    flat = [edge for edge in chosen if is_of_planes(body, edge)]
+    _require_apart(body, rolled, flat)
+    places, error = {edge.number: _place_of(edge) for edge in chosen}, 0.0
+    for edge in rolled:
+        now = _found(body, places[edge.number], edge.number)
+        cells, off = rolling.rolled(body, now, radius, tolerance, cancel)
+        body, error = body_of([(cell, 0) for cell in cells]), max(error, off)
+    if flat:
+        now = [_found(body, places[edge.number], edge.number) for edge in flat]
+        return Rounded(planes.rounded(body, now, radius), error, len(chosen))
+    return Rounded(body.cells, error, len(chosen))
+
+
+def body_between(shapes):
+    """The Body of lists of patches, whose cells belong to the number of their list."""
+    patches = [(patch, i) for i, those in enumerate(shapes) for patch in those]
+    return body_of([(cell, patches[number][1]) for cell, number in cells_of([patch for patch, _ in patches])])
+
+
+def meet(shapes):
+    """Whether two lists of patches have an edge in common."""
+    body = body_between(shapes)
+    return any(is_between(body, edge) for edge in body.edges)
+
+
+def is_between(body, edge):
+    """Whether two shapes meet in an edge."""
+    return any(body.owners[first.cell] != body.owners[second.cell] for first, second in edge.pairs)
+
+
+def numbers_of(text, count):
+    """The numbers in a text such as "1, 4-6", each once in their order. Raises Refusal."""
+    found = set()
+    for word in text.replace(',', ' ').split():
+        first, dash, last = word.partition('-')
+        if not (first.isdecimal() and (last.isdecimal() if dash else not last)):
+            raise Refusal(f"\"{word}\" is no number of an edge: such as 1, 4-6 are expected")
+        low, high = int(first), int(last or first)
+        if not 1 <= low <= high <= count:
+            edges_are = "is 1 edge" if count == 1 else f"are {count} edges"
+            raise Refusal(f"there {edges_are}, none of number {word}")
+        found |= set(range(low, high + 1))
+    return sorted(found)
+
+
+def middles_of(shapes):
+    """(n, 3): a point on each edge of lists of patches, in the order of their numbers."""
+    return np.array([_place_of(edge) for edge in body_between(shapes).edges]).reshape(-1, 3)
+
+
+def is_of_planes(body, edge):
+    """Whether an edge is one segment between two planes."""
+    a, b = ({body.face_of[pair[i].cell] for pair in edge.pairs} for i in range(2))
+    if edge.is_closed or len(a) > 1 or len(b) > 1:
+        return False
+    if any(body.faces[face].plane is None for face in a | b):
+        return False
+    points = np.concatenate([np.asarray(first.curve.points) for first, _ in edge.pairs])
+    along = points[-1] - points[0]
+    return bool(np.linalg.norm(np.cross(points - points[0], along), axis=1).max() <= 1e-9 * (along @ along))
+
+
+def _ends(edge):
+    return {edge.pairs[0][0].start, edge.pairs[-1][0].end}
+
+
+def _require_apart(body, rolled, flat):
+    """Raises Refusal where edges that are not all of planes end in one corner."""
+    for i, edge in enumerate(rolled):
+        for other in (*rolled[i + 1:], *flat):
+            shared = _ends(edge) & _ends(other)
+            if shared:
+                raise Refusal(f"{planes.named(body, min(shared))}: edges {edge.number} and {other.number} end there, and not all "
+                              "surfaces there are planes: round one of them, or all edges of a corner of three planes")
+
+
+def _place_of(edge):
+    """In the middle of an edge."""
+    curve = edge.pairs[len(edge.pairs) // 2][0].curve
+    return curve.evaluate(0.5 * sum(curve.domain))
+
+
+def _found(body, place, number):
+    """The edge on which a place lies, by the number that users know."""
+    for edge in body.edges:
+        if any(first.curve.nearest(place[None]).distances[0] <= 1e-6 * body.size for first, _ in edge.pairs):
+            edge.number = number
+            return edge
+    raise Refusal(f"edge {number} is lost where another one is rounded: round them one after the other")
