@@ -6,7 +6,7 @@ import numpy as np
 
 from .. import definition as definitions
 from ..deformable import revolved
-from ..failures import Refusal
+from ..failures import Refusal, about_input
 from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
@@ -73,9 +73,11 @@ def _formula(points, x, y, z, start_u, end_u, start_v, end_v, constants, toleran
     return Result(*sc.build.patch_from_formulas(formulas, (start_u, end_u), (start_v, end_v), tolerance=tolerance))
 
 
-def _curves(definition):
-    if not definition.has_curves:
-        raise Refusal("it is made of patches: a curve is needed")
+def _curves(inputs, number=0):
+    definition = inputs[number]
+    with about_input(number):
+        if not definition.has_curves:
+            raise Refusal("it is made of patches: a curve is needed")
     value = definitions.to_value(definition)
     return value if isinstance(value, list) else [value]
 
@@ -83,8 +85,8 @@ def _curves(definition):
 def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, deformable, tolerance, caps, frame=None):
     through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
     if not deformable:
-        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])], caps)
-    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs[0])]
+        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs)], caps)
+    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs)]
     return capping.result([patch for patch, _ in made], caps, max(error for _, error in made))
 
 
@@ -106,11 +108,11 @@ def _suggested_axis(inputs):
 
 
 def _extrude(inputs, x, y, z, caps):
-    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs[0])], caps)
+    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs)], caps)
 
 
 def _ruled(inputs, turned):
-    first, second = map(_curves, inputs)
+    first, second = (_curves(inputs, number) for number in range(2))
     if len(first) != len(second):
         raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
     return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])

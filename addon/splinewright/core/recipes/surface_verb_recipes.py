@@ -3,6 +3,7 @@
 import math
 
 from .. import decimals, patch_joints, verbs
+from ..failures import about_input
 from ..library import sc
 from .meeting_recipes import patches_of
 from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
@@ -26,7 +27,11 @@ def _continuity(text):
 
 def _sides(inputs, first_side, second_side):
     """(patch, side, patch, side): of two surfaces."""
-    first, second = map(patches_of, inputs)
+    both = []
+    for number, definition in enumerate(inputs):
+        with about_input(number):
+            both.append(patches_of(definition))
+    first, second = both
     choices = [patch_joints.Choice(0, None if side == 'nearest' else side) for side in (first_side, second_side)]
     (a, side_a), (b, side_b) = patch_joints.nearest_sides(first, second, *choices)
     return first[a], side_a, second[b], side_b
