@@ -204,11 +204,11 @@ def _on_same_knots(outer, inner):
     theirs = [float(known[np.abs(known - knot).argmin()]) if np.abs(known - knot).min() <= _SAME * (end - start) else float(knot)
               for knot in inner.knots[0]]
     inner = sc.NurbsPatch.from_homogeneous(inner.degree, (theirs, inner.knots[1]), inner.homogeneous_points, (False, inner.periodic[1]))
-    more, fewer = _missing(theirs, known), _missing(known, theirs)
+    more, fewer = missing(theirs, known), missing(known, theirs)
     return (outer.refine('u', more) if more else outer), (inner.refine('u', fewer) if fewer else inner)
 
 
-def _missing(wanted, known):
+def missing(wanted, known):
     """Knots of one list that the other has not as often."""
     return [knot for knot in np.unique(wanted).tolist()
             for _ in range(int(np.sum(np.equal(wanted, knot))) - int(np.sum(np.equal(known, knot))))]
