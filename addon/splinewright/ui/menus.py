@@ -280,6 +280,13 @@ def _draw_net(self, context):
         self.layout.separator()
 
 
+def _draw_delete(self, context):
+    """Blender's X takes points away, which a net has to keep."""
+    if editing.nets_in_edit_mode(context):
+        self.layout.operator("splinewright.delete_pieces", icon='SURFACE_DATA')
+        self.layout.separator()
+
+
 def _draw_net_header(self, context):
     if editing.nets_in_edit_mode(context):
         self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
@@ -308,6 +315,8 @@ _PLACES = (
 _TOPS = (
     ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
     ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
+    ("VIEW3D_MT_edit_mesh_delete", _draw_delete),
+    ("VIEW3D_MT_edit_curve_delete", _draw_delete),
 )
 
 
