@@ -137,3 +137,13 @@ def test_what_is_hidden_or_drawn_without_problem_says_nothing():
     assert not said()
     ob.hide_set(False)
     assert list(said()) == [ob.name]
+
+
+def test_the_one_input_of_a_shape_is_named_whatever_is_wrong():
+    profile = add(CIRCLE, "profile")
+    activate(profile)
+    assert op(bpy.ops.splinewright.add_extrude, caps='both') == {'FINISHED'}
+    ob = bpy.context.object
+    profile.data = add(sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0, 0), (1, 0, 0)]), "open").data
+    bpy.context.view_layer.update()
+    assert said()[ob.name].startswith("profile: ")

@@ -50,14 +50,16 @@ def of_extrude(rng):
 def of_loft(rng):
     profile, count = random_profile(rng), int(rng.integers(2, 5))
     size = size_of(profile)
-    rings = [moved(profile, x=size * rng.uniform(-0.2, 0.2), z=size * (i + rng.uniform(-0.2, 0.2)), size=rng.uniform(0.5, 1.5)) for i in range(count)]
+    rings = [moved(profile, x=size * rng.uniform(-0.2, 0.2), z=size * (i + rng.uniform(-0.2, 0.2)), size=rng.uniform(0.5, 1.5))
+             for i in range(count)]
     return make('loft', *rings, caps='both')
 
 
 def of_revolve(rng):
     profile = random_profile(rng)
     upright = profile.transformed(np.array([[1, 0, 0, 2 * size_of(profile)], [0, 0, 1, 0], [0, 1, 0, 0.0]]))
-    return make('revolve', upright, axis='z', sweep=float(rng.uniform(0.3, 6.0) * rng.choice([-1, 1])), start=float(rng.uniform(-4, 4)), caps='both')
+    return make('revolve', upright, axis='z', sweep=float(rng.uniform(0.3, 6.0) * rng.choice([-1, 1])),
+                start=float(rng.uniform(-4, 4)), caps='both')
 
 
 def of_whole_turn(rng):
@@ -74,8 +76,8 @@ def random_rail(rng, size):
 
 def of_pipe(rng):
     size = 10 ** rng.uniform(-2, 2)
-    return make('pipe', random_rail(rng, size), radius=0.3 * size, end_radius=float(rng.uniform(0.1, 0.5)) * size, caps=str(rng.choice(['flat', 'round'])),
-                tolerance=1e-4 * size)
+    return make('pipe', random_rail(rng, size), radius=0.3 * size, end_radius=float(rng.uniform(0.1, 0.5)) * size,
+                caps=str(rng.choice(['flat', 'round'])), tolerance=1e-4 * size)
 
 
 def of_sweep(rng):
@@ -173,7 +175,7 @@ def _at(patch, fractions):
 
 def test_the_verb_refuses_what_it_cannot_close_by_name():
     bowl = build.cone((0, 0, 0), (0, 0, 1), 1.0, 2.0, 0.0)
-    tubes = [moved for moved in (OUTER[0], build.extrude(moved(CIRCLE, x=0.6, size=0.5), (0, 0, 3)), build.extrude(moved(CIRCLE, x=-0.6, size=0.5), (0, 0, 3)))]
+    tubes = [OUTER[0], *(build.extrude(moved(CIRCLE, x=x, size=0.5), (0, 0, 3)) for x in (0.6, -0.6))]
     with pytest.raises(failures.Refusal, match="2 open ends lie within the end of patch 1"):
         caps.capped(definitions.from_value(sc.PatchSet.from_patches(tubes)), 'ALL')
     with pytest.raises(failures.Refusal, match="from end to end"):

@@ -337,8 +337,14 @@ def _update(data, turn, is_alone=False):
         recipes.write_achieved(data, result)
         return True
     except Exception as error:
-        problems.tell(data, problems.FOLLOWING, told(error))
+        problems.tell(data, problems.FOLLOWING, _naming_input(data, told(error)))
         return False
+
+
+def _naming_input(data, sentence):
+    """A sentence with the name of the one object that a follower is made from, where it lacks that."""
+    pointed = recipes.pointed_by_name(data)
+    return sentence if len(pointed) != 1 or pointed[0][0] in sentence else f"{pointed[0][0]}: {sentence}"
 
 
 def _same(a, b):

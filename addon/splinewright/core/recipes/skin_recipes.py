@@ -71,8 +71,8 @@ def _within(approximation):
 
 def _loft(inputs, style, closed, align, match_corners, simple, tolerance, start, start_strength, end, end_strength, caps, turned,
           cancel=None):
-    made, said = lofts.loft(_sections_of(inputs, turned), lofts.End(start, start_strength), lofts.End(end, end_strength), align, match_corners,
-                            style=style, closed=closed, tolerance=tolerance if simple else None, cancel=cancel)
+    ends = lofts.End(start, start_strength), lofts.End(end, end_strength)
+    made, said = lofts.loft(_sections_of(inputs, turned), *ends, align, match_corners, style=style, closed=closed, tolerance=tolerance if simple else None, cancel=cancel)
     return capping.result([made.value], caps, made.error, said, cancel)
 
 

@@ -14,9 +14,9 @@ from .selected import OnSelected
 class SPLINEWRIGHT_OT_make_deformable(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.make_deformable"
     bl_label = "Make Deformable"
-    bl_description = ("Make exact circles, ellipses, cylinders, spheres, tori and surfaces of revolution cubic around, smooth everywhere and "
-                      "without the weights of circles, to be sculpted, within the tolerance. What a recipe makes gets Deformable in its "
-                      "panel, and stays one")
+    bl_description = ("Make exact circles, ellipses, cylinders, spheres, tori and surfaces of revolution cubic around, smooth "
+                      "everywhere and without the weights of circles, to be sculpted, within the tolerance. What a recipe makes "
+                      "gets Deformable in its panel")
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a shape", "Made {} deformable"
     fits = staticmethod(shape.has_shape)
