@@ -229,3 +229,33 @@ def test_a_curve_of_one_point_is_a_point():
     require_closed(ob)
     top = np.array([vertex.co for vertex in ob.data.vertices]) @ np.array(ob.matrix_world)[:3, :3].T + np.array(ob.matrix_world)[:3, 3]
     assert top[:, 2].max() == pytest.approx(3.0, abs=1e-5)
+
+
+def moved_ring(size, name):
+    return add(CIRCLE.transformed(np.diag([size, size, size, 1.0])[:3]), name)
+
+
+def test_a_profile_in_a_profile_makes_a_closed_body_with_a_hole():
+    profile = add([CIRCLE.transformed(np.diag([2.0, 2.0, 2.0, 1.0])[:3]), SQUARE], "both")
+    ob = make('extrude', profile, z=3.0)
+    activate(ob)
+    assert op(bpy.ops.splinewright.cap) == {'FINISHED'}
+    require_exact(ob)
+    require_closed(ob, 3.0 * (4 * math.pi - 1))
+    for count in (3, 9):
+        ob.data.splinewright.resolution_u = count
+        bpy.context.view_layer.update()
+        require_closed(ob)
+
+
+def test_a_tube_with_an_inner_tube_is_closed():
+    outer, inner = (make('extrude', moved_ring(size, f"ring {size}"), z=3.0) for size in (2.0, 1.0))
+    activate(outer, inner)
+    op(bpy.ops.splinewright.make_editable)
+    assert op(bpy.ops.splinewright.join) == {'FINISHED'}
+    ob = bpy.context.object
+    assert op(bpy.ops.splinewright.cap) == {'FINISHED'}
+    require_exact(ob)
+    require_closed(ob, 9 * math.pi)
+    with pytest.raises(RuntimeError, match="no open end"):
+        op(bpy.ops.splinewright.cap)

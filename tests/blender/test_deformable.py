@@ -20,7 +20,8 @@ def vase(**settings):
 
 def pull(ob):
     activate(ob)
-    op(bpy.ops.splinewright.make_editable)
+    if recipes.has(ob.data):
+        op(bpy.ops.splinewright.make_editable)
     u = ob.data.splinewright.value.domain[0]
     assert op(bpy.ops.splinewright.pull_here, piece=1, parameter_u=u[0] + 0.22 * (u[1] - u[0]), parameter_v=1.0,
               vector=(0.4, 0.2, 0)) == {'FINISHED'}
@@ -74,3 +75,50 @@ def test_circles_and_ellipses_may_be_deformable(kind):
     assert value.periodic and value.degree == 3 and (value.weights == 1).all()
     require_exact(ob)
     assert np.isfinite(value.points).all()
+
+
+def deformed(ob, **settings):
+    activate(ob)
+    assert op(bpy.ops.splinewright.make_deformable, **settings) == {'FINISHED'}
+    return ob.data.splinewright.value
+
+
+@pytest.mark.parametrize('kind', ('sphere', 'torus', 'cylinder', 'cone', 'circle', 'ellipse'))
+def test_recipes_get_it_in_their_panel_and_go_on(kind):
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}")) == {'FINISHED'}
+    ob = bpy.context.object
+    deformed(ob, tolerance=1e-4)
+    require_exact(ob)
+    stored = recipes.read(ob.data)
+    assert stored.recipe.kind == kind and 0 < stored.error <= 1e-4
+    with pytest.raises(RuntimeError, match="already"):
+        op(bpy.ops.splinewright.make_deformable)
+    setattr(ob.data.splinewright_parameters, *((f"{kind}_deformable", False) if kind not in ('circle', 'ellipse')
+                                              else (f"{kind}_form", 'square')))
+    assert recipes.error(ob.data) == 0
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('kind', ('sphere', 'torus', 'cylinder', 'cone', 'circle', 'ellipse'))
+def test_made_editable_they_become_deformable_and_stay_smooth_when_pulled(kind):
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}")) == {'FINISHED'}
+    ob = bpy.context.object
+    op(bpy.ops.splinewright.make_editable)
+    value = deformed(ob)
+    pieces = [value[i] for i in range(len(value))] if hasattr(value, '__len__') else [value]
+    assert all((piece.weights == 1).all() for piece in pieces)
+    require_exact(ob)
+    with pytest.raises(RuntimeError, match="nothing would change"):
+        op(bpy.ops.splinewright.make_deformable)
+    if kind in ('sphere', 'torus'):
+        pull(ob)
+        assert surveys.survey_of(ob.data).count == 0
+
+
+def test_what_follows_without_such_a_parameter_is_refused_by_name():
+    activate(add(sc.conics.circle((0, 0, 0), 1.0)))
+    assert op(bpy.ops.splinewright.add_extrude) == {'FINISHED'}
+    with pytest.raises(RuntimeError, match="Make Editable"):
+        op(bpy.ops.splinewright.make_deformable)
+    op(bpy.ops.splinewright.make_editable)
+    assert (deformed(bpy.context.object).weights == 1).all()

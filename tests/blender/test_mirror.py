@@ -118,7 +118,7 @@ def test_mirror_modifiers_have_images(axes, count):
     modifier.use_clip = False
     modifier.use_mirror_merge = False
     bpy.context.view_layer.update()
-    found = images.of(ob)
+    found = images.of(ob, bpy.context.view_layer)
     shown = ob.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
     there = np.array([ob.matrix_world @ vertex.co for vertex in shown.vertices])
     assert len(found) == count and len(there) == count * len(ob.data.vertices)
@@ -133,6 +133,6 @@ def test_images_lie_about_the_object_that_the_modifier_names():
     modifier = ob.modifiers.new("mirror", 'MIRROR')
     modifier.mirror_object = about
     bpy.context.view_layer.update()
-    assert [tuple(matrix @ ob.data.vertices[0].co) for matrix in images.of(ob)][1] == pytest.approx((20, *ob.data.vertices[0].co[1:]))
+    assert [tuple(matrix @ ob.data.vertices[0].co) for matrix in images.of(ob, bpy.context.view_layer)][1] == pytest.approx((20, *ob.data.vertices[0].co[1:]))
     modifier.show_viewport = False
-    assert len(images.of(ob)) == 1
+    assert len(images.of(ob, bpy.context.view_layer)) == 1

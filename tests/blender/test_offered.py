@@ -18,7 +18,7 @@ texts = part('ui.texts')
 #: Refused with the settings they begin with, which the redo panel changes.
 MENDED = {'make_periodic', 'remove_knots', 'reparametrise', 'split_curve', 'remove_knot', 'to_hermite', 'clamp', 'unclamp', 'add_offset', 'trim_curve',
           'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves', 'extend_curve', 'split_where_met', 'intersections',
-          'add_touching_circle', 'join_curves', 'add_offset_surface', 'add_thickened', 'add_extended_surface', 'cap'}
+          'add_touching_circle', 'join_curves', 'add_offset_surface', 'add_thickened', 'add_extended_surface', 'cap', 'make_deformable'}
 #: Only the work itself tells whether what was changed was moved as a whole, whether there is a hole to fill, or whether all of
 #: several edges can be rounded; what was just made can be made with other settings.
 TOLD_LATE = {('touched', 'adopt_transform'), ('revolved', 'add_revolve'), ('teapot', 'add_rounded_edge')}

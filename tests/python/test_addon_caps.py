@@ -56,8 +56,11 @@ def test_what_is_extruded_and_lofted_is_closed(profile, area):
 def test_a_profile_of_several_curves_is_capped_each_alone_and_no_hole_is_covered():
     apart = [CIRCLE, moved(SQUARE, x=3.0)]
     assert volume(make('extrude', apart, caps='both')) == pytest.approx(math.pi + 1, rel=1e-9)
-    with pytest.raises(failures.Refusal, match="within another"):
-        make('extrude', [moved(CIRCLE, size=3.0), SQUARE], caps='both')
+    assert volume(make('extrude', [moved(CIRCLE, size=3.0), SQUARE], caps='both')) == pytest.approx(9 * math.pi - 1, rel=1e-9)
+    with pytest.raises(failures.Refusal, match="2 of its curves lie within another"):
+        make('extrude', [moved(CIRCLE, size=9.0), SQUARE, moved(SQUARE, x=2.0)], caps='both')
+    with pytest.raises(failures.Refusal, match="cross or touch"):
+        make('extrude', [CIRCLE, SQUARE], caps='both')
     with pytest.raises(failures.Refusal, match="one of its curves is open"):
         make('extrude', [CIRCLE, sc.BezierCurve([(5, 0, 0), (6, 0, 0)]).to_nurbs()], caps='start')
 

@@ -16,6 +16,8 @@ class FileState:
     is_scanned: bool = False                            # whether the file was looked through since it was opened
     followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
     owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
+    doubtful: set = field(default_factory=set)          # followers that did not follow before all objects became others
+    stopped: tuple = ()                                 # what ui.stopped says in the status bar
     nets: set = field(default_factory=set)              # objects that are nets; a hint
     kept: set = field(default_factory=set)              # nets that were left by other ways and hold what no shape took
     sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session, or why there is none

@@ -23,7 +23,9 @@ def scan():
     """Find all followers of the file."""
     state.followers.clear()
     state.owners.clear()
+    state.doubtful |= problems.told_of(problems.FOLLOWING)
     problems.forget(problems.FOLLOWING)
+    problems.forget(problems.INPUTS)
     _add(data for blocks in (bpy.data.meshes, bpy.data.curves) for data in blocks)
 
 
@@ -155,8 +157,10 @@ def _in_space(data, wanted, depsgraph):
     """The object in whose space a follower lies, and the objects that it is made from. Raises Refusal where one is gone."""
     state.owners.pop(key(data), None)
     owner, inputs = _owner_of(data, _Turn(depsgraph)), (*wanted.sources, *wanted.frames)
-    if owner is None or None in inputs:
-        raise Refusal("an object it is made from was deleted: it stays as it was last")
+    if None in inputs:
+        raise Refusal(f"{_missing(data, _in_use()) or 'an object it is made from was deleted'}: it stays as it was last")
+    if owner is None:
+        raise Refusal("it is in no scene: it stays as it was last")
     return owner, inputs
 
 
@@ -183,6 +187,8 @@ def refresh(changed, depsgraph):
     if not state.followers:
         return
     turn = _Turn(depsgraph)
+    changed = {*changed, *filter(None, map(block_of, state.doubtful))}
+    state.doubtful = set()
     causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
     for data in _in_order():
         due = causes.intersection(_causes(data))
@@ -214,7 +220,7 @@ def _note(blocks):
 def refresh_all(changed, depsgraph):
     """Bring every follower up to date that a depsgraph shows: another frame, another file."""
     _note(changed)
-    turn = _Turn(depsgraph)
+    turn, state.doubtful = _Turn(depsgraph), set()
     for data in _in_order():
         _update(data, turn)
 
@@ -229,12 +235,41 @@ def problem(data):
         stored = recipes.read(data)
     except store.UnreadableDefinition as error:
         return str(error)
-    if not _in_use().issuperset((*stored.sources, *stored.frames)):
-        return _GONE
+    missing = _missing(data, _in_use())
+    if missing:
+        return f"{missing}: it stays as it was last"
     return problems.of(data, problems.FOLLOWING)
 
 
-_GONE = "The object it follows was deleted, or is in no scene: it stays as it was last"
+def look_for_inputs():
+    """Find out which followers miss an object that they are made from."""
+    in_use = _in_use()
+    for data in _blocks():
+        problems.tell(data, problems.INPUTS, _missing(data, in_use))
+
+
+def stopped():
+    """{data-block: why} of the followers that do not follow, as far as it was found out."""
+    blocks = filter(None, map(block_of, sorted(problems.told_of(problems.INPUTS, problems.FOLLOWING))))
+    return {data: problems.of(data, problems.INPUTS) or problems.of(data, problems.FOLLOWING) for data in blocks
+            if recipes.follows(data)}
+
+
+def _missing(data, in_use):
+    """Which objects that a follower is made from are gone, in words, or ""."""
+    gone = [_in_words(name, ob) for name, ob in recipes.pointed_by_name(data) if ob not in in_use]
+    if not gone:
+        return ""
+    named = " and ".join(filter(None, (", ".join(gone[:-1]), gone[-1])))
+    return f"{named} {'was' if len(gone) == 1 else 'were'} deleted, or {'is' if len(gone) == 1 else 'are'} in no scene"
+
+
+_KINDS = {'CURVE': "the curve", 'SURFACE': "the surface", 'MESH': "the surface", 'EMPTY': "the point", 'FONT': "the text"}
+
+
+def _in_words(name, ob):
+    kind = _KINDS.get(ob.type, "the object") if ob else "the object"
+    return f"{kind} '{name}'" if name else "an object"
 
 
 class _Turn:
@@ -294,6 +329,7 @@ def _update(data, turn, is_alone=False):
             return False
         result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
         definition = result.definition
+        recipes.keep_names(data)
         problems.tell(data, problems.FOLLOWING, "")
         if _same(store.read(data), definition) and not shape.is_touched(data):
             return False
@@ -301,8 +337,14 @@ def _update(data, turn, is_alone=False):
         recipes.write_achieved(data, result)
         return True
     except Exception as error:
-        problems.tell(data, problems.FOLLOWING, told(error))
+        problems.tell(data, problems.FOLLOWING, _naming_input(data, told(error)))
         return False
+
+
+def _naming_input(data, sentence):
+    """A sentence with the name of the one object that a follower is made from, where it lacks that."""
+    pointed = recipes.pointed_by_name(data)
+    return sentence if len(pointed) != 1 or pointed[0][0] in sentence else f"{pointed[0][0]}: {sentence}"
 
 
 def _same(a, b):

@@ -11,6 +11,8 @@ SETTING = "setting"
 KEYED = "keyed"
 #: What the shape is made from.
 FOLLOWING = "following"
+#: What of that was deleted, or is in no scene.
+INPUTS = "inputs"
 #: Of a net's data-block: what the shape does not take.
 NET = "net"
 #: Of a net's data-block: what the shape passes over, which is no trouble.
@@ -31,6 +33,11 @@ def tell(data, about, sentence):
 def of(data, about):
     """The sentence about one thing, or ""."""
     return state.problems.get(key(data), {}).get(about, "")
+
+
+def told_of(*abouts):
+    """The file_state.key() of data-blocks of which something is told about one of these things."""
+    return {name for name, of_data in state.problems.items() if not of_data.keys().isdisjoint(abouts)}
 
 
 def clear(data):

@@ -14,7 +14,7 @@ def is_mesh(ob):
 def polygons_of(ob, matrix):
     """The Polygons of an object, with points under a matrix (4, 4). Raises Refusal."""
     mesh = ob.data
-    require_faces(len(mesh.polygons))
+    require_faces(ob.name, len(mesh.polygons))
     points = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get('co', points)
     starts = np.empty(len(mesh.polygons) + 1, np.int32)

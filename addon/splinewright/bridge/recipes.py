@@ -26,6 +26,8 @@ VERSION = 2
 _INPUT, _WAS_SHAPE, _TURNED = 'input', 'shape', 'turned'
 #: Key of the pointer to an object of which the place and axes alone count; of several the keys are numbered from 1.
 _FRAME, _NUMBERED = 'frame', 'frame_'
+#: The names of all those objects, one a line: of one that is gone nothing else is left.
+_NAMES = 'names'
 #: The property that a driver is on which reads the inputs, and its data path.
 _WATCHED = "watched"
 WATCHED = f'["{KEY}"]["{_WATCHED}"]'
@@ -66,6 +68,30 @@ def pointers(data):
 def frames(data):
     """The objects whose place and axes alone count, as pointers()."""
     return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []
+
+
+def pointed_by_name(data):
+    """[(name, object)] of all that a shape is made from and of frames, as far as can be told without reading the recipe: None for
+    one that was deleted, with the name that it had last, or ""."""
+    group = data[KEY]
+    if not store.is_group(group):
+        return []
+    found = [group.get(pointer) for pointer in (*_input_keys(group), *_frame_keys(group)) if pointer in group.keys()]
+    names = _names_in(group)
+    names += [""] * (len(found) - len(names))
+    return [(ob.name, ob) if isinstance(ob, bpy.types.Object) else (name, None) for name, ob in zip(names, found)]
+
+
+def _names_in(group):
+    names = group.get(_NAMES, "")
+    return names.split("\n") if isinstance(names, str) and names else []
+
+
+def keep_names(data):
+    """Keep what the objects that a shape is made from are called now, where another name was kept."""
+    names = [name for name, _ in pointed_by_name(data)]
+    if names != _names_in(data[KEY]):
+        data[KEY][_NAMES] = "\n".join(names)
 
 
 def _of(name, index):
@@ -262,6 +288,7 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
         group.update({_of(_INPUT, i): source, _of(_WAS_SHAPE, i): bool(source.data) and store.has_definition(source.data)})
         group.update({_of(_TURNED, i): True} if is_turned else {})
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
+    group[_NAMES] = "\n".join(ob.name if ob else "" for ob in (*sources, *frames))
     store.assign(data, KEY, group)
     _show(data, recipe, values, frames)
     watch(data)

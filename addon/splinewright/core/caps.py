@@ -1,24 +1,14 @@
 """Caps for the open ends of shapes of patches (lecture row S20)."""
 
-from typing import NamedTuple
-
 import numpy as np
 
-from . import places, sewing, verbs
+from . import caps_in_caps, places, sewing, verbs
+from .caps_in_caps import Capped
 from .failures import Refusal
 from .library import sc
 
 #: Which open ends are closed.
 ENDS = {'ALL': "all of them", 'SHORTEST': "the shortest one", 'LONGEST': "the longest one"}
-
-
-class Capped(NamedTuple):
-    """What became of a definition."""
-
-    changed: verbs.Changed
-    count: int                          # of ends that were closed
-    bend: float                         # how far a rim is from a plane
-    is_turned: bool                     # whether all normals were turned outwards
 
 
 def capped(definition, ends, cancel=None):
@@ -33,8 +23,17 @@ def capped(definition, ends, cancel=None):
         raise Refusal("it has no open end")
     if _is_flat(patches):
         raise Refusal("it lies in one plane: a cap would lie on it")
-    chosen = sorted(found, key=lambda end: sum(patches[i].boundary(side).length(tolerance=1e-6) for i, side in end))
-    chosen = {'ALL': found, 'SHORTEST': chosen[:1], 'LONGEST': chosen[-1:]}[ends]
+    rings = caps_in_caps.rings_of(patches, found)
+    whole = [end for end in found if not any(end in ring.ends for ring in rings)]
+    groups = [*([end] for end in whole), *(list(ring.ends) for ring in rings)]
+    groups.sort(key=lambda group: sum(patches[i].boundary(side).length(tolerance=1e-6) for i, side in group[0]))
+    chosen = {'ALL': groups, 'SHORTEST': groups[:1], 'LONGEST': groups[-1:]}[ends]
+    if any(len(group) > 1 for group in chosen):
+        return caps_in_caps.capped(definition, before, patches, chosen, rings, cancel)
+    return _with_caps(definition, before, patches, [group[0] for group in chosen], cancel)
+
+
+def _with_caps(definition, before, patches, chosen, cancel):
     made, bend = sc.build.cap(patches, chosen, cancel=cancel)
     is_turned = not _are_parts(made[0], patches[0])
     own = [patch.reversed('u') for patch in made] if is_turned else made

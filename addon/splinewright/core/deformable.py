@@ -11,7 +11,7 @@ from .library import sc
 
 #: Spans around a whole turn: at least, by which their number grows, and at most.
 _FEWEST, _STEP, _MOST = 8, 4, 512
-_DEGREE = 3
+DEGREE = 3
 #: A whole turn is as long, in parameters, as the exact one.
 _LENGTH = 4.0
 
@@ -25,33 +25,45 @@ class Around(NamedTuple):
     error: float                        # the largest distance from the exact one
 
 
-def around(start, sweep, tolerance):
-    """The Around from an angle on, None for a whole turn, whose error is at most a tolerance. Raises Refusal."""
+def around(start, sweep, tolerance, keeps_ends=False):
+    """The Around from an angle on, None for a whole turn, whose error is at most a tolerance. keeps_ends: where it starts and ends it
+    is exact. Raises Refusal."""
+    of_spans = _of_spans_through_knots if keeps_ends else _of_spans
     turn = 2 * math.pi if sweep is None else sweep
     share = abs(turn) / (2 * math.pi)
-    spans = next((count for count in range(_FEWEST, _MOST + 1, _STEP) if _of_spans(count)[1] <= tolerance), None)
+    spans = next((count for count in range(_FEWEST, _MOST + 1, _STEP) if of_spans(count)[1] <= tolerance), None)
     if spans is None:
         raise Refusal(f"so near to a circle of that size it would take more than {_MOST} points around: give a larger tolerance")
     spans = max(1, math.ceil(spans * share))
     step = turn / spans
-    factor, error = _of_spans(2 * math.pi / abs(step))
-    count = spans if sweep is None else spans + _DEGREE
+    factor, error = of_spans(2 * math.pi / abs(step))
+    count = spans if sweep is None else spans + DEGREE
     angles = start + step * (np.arange(count) - 1)
     points = factor * np.stack([[function(angle) for angle in angles] for function in (math.cos, math.sin)], 1)
     if sweep is None:
         return Around(_LENGTH * np.arange(spans + 1) / spans, points, True, error)
-    knots = _LENGTH * share * np.arange(-_DEGREE, spans + _DEGREE + 1) / spans
-    whole = sc.NurbsCurve(_DEGREE, knots, np.column_stack([points, np.zeros(count)])).clamped()
+    knots = _LENGTH * share * np.arange(-DEGREE, spans + DEGREE + 1) / spans
+    whole = sc.NurbsCurve(DEGREE, knots, np.column_stack([points, np.zeros(count)])).clamped()
     return Around(whole.knots, whole.points[:, :2], False, error)
 
 
 def _of_spans(count):
     """(by what control points on the circle are multiplied, how far the curve then lies from it): the largest and the smallest
     radius, in the middles of spans and at knots, are as far from 1."""
-    step = 2 * math.pi / count
-    at_knots = (4 + 2 * math.cos(step)) / 6
-    between = (46 * math.cos(step / 2) + 2 * math.cos(1.5 * step)) / 48
+    at_knots, between = _radii(count)
     return 2 / (at_knots + between), abs(at_knots - between) / (at_knots + between)
+
+
+def _of_spans_through_knots(count):
+    """As _of_spans(), where the curve is exact at knots."""
+    at_knots, between = _radii(count)
+    return 1 / at_knots, abs(between / at_knots - 1)
+
+
+def _radii(count):
+    """At knots, and in the middles of spans, of control points on a circle of radius 1."""
+    step = 2 * math.pi / count
+    return (4 + 2 * math.cos(step)) / 6, (46 * math.cos(step / 2) + 2 * math.cos(1.5 * step)) / 48
 
 
 def ellipse(centre, to_a, to_b, tolerance):
@@ -59,7 +71,7 @@ def ellipse(centre, to_a, to_b, tolerance):
     longest = max(np.linalg.norm(to_a), np.linalg.norm(to_b))
     found = around(0.0, None, _relative(tolerance, longest))
     points = np.asarray(centre) + found.points @ np.array([to_a, to_b])
-    return sc.NurbsCurve(_DEGREE, found.knots, points, periodic=True), found.error * longest
+    return sc.NurbsCurve(DEGREE, found.knots, points, periodic=True), found.error * longest
 
 
 def revolved(curve, through, direction, start, sweep, tolerance):
@@ -76,7 +88,7 @@ def revolved(curve, through, direction, start, sweep, tolerance):
     feet = along + np.where(is_finite[:, None], through, 0.0)
     points = feet + found.points[:, 0, None, None] * radial + found.points[:, 1, None, None] * aside
     weights = np.tile(profile.weights, (len(points), 1))
-    made = sc.NurbsPatch((_DEGREE, profile.degree), (found.knots, profile.knots), points, weights, (found.periodic, profile.periodic))
+    made = sc.NurbsPatch((DEGREE, profile.degree), (found.knots, profile.knots), points, weights, (found.periodic, profile.periodic))
     return made, found.error * radius
 
 

@@ -30,6 +30,18 @@ class AboutInputs(Refusal):
         return Refusal(self.text.format(*(names[number] for number in self.numbers)))
 
 
+@contextmanager
+def about_input(number):
+    """What is refused in here lies in the input of a number, from 0."""
+    try:
+        yield
+    except AboutInputs:
+        raise
+    except Refusal as error:
+        text = str(error).replace("{", "{{").replace("}", "}}")
+        raise AboutInputs(f"{{}}: {text}", number) from error
+
+
 #: What a modeller is told of; where the library is missing, nothing of its own.
 FAILURES = (Refusal, OSError, MemoryError, *([sc.Error] if sc else []))
 

@@ -23,8 +23,9 @@ class Polygons(NamedTuple):
         return [self.corners[start:end].tolist() for start, end in zip(self.starts, self.starts[1:])]
 
 
-def require_faces(count):
+def require_faces(name, count):
+    """Raises Refusal about a mesh of this name."""
     if not count:
-        raise Refusal("the mesh has no face: a surface needs some")
+        raise Refusal(f"{name}: the mesh has no face: a surface needs some")
     if count > MOST_FACES:
-        raise Refusal(f"the mesh has {count:,} faces, {MOST_FACES:,} are the most: take the mesh before it was subdivided")
+        raise Refusal(f"{name}: the mesh has {count:,} faces, {MOST_FACES:,} are the most: take the mesh before it was subdivided")

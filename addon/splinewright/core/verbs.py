@@ -57,6 +57,15 @@ def each_changed(definition, verbs, already="nothing changes"):
     after = [part.value for part in parts]
     if after == before:
         raise Refusal(already)
+    return _as_changed(definition, after, parents, error, parts)
+
+
+def one_for_one(definition, after, error):
+    """The Changed definition in which each piece is another one."""
+    return _as_changed(definition, after, list(range(len(after))), error, list(map(_part, after)))
+
+
+def _as_changed(definition, after, parents, error, parts):
     lie = tuple(part.place for part in parts)
     if not definition.has_curves:
         return Changed(sewing.sewn(definition, after, parents), tuple(parents), error, lie)

@@ -3,7 +3,7 @@
 import bpy
 
 from . import (aim_overlay, axis_overlay, contour_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
-               seams_overlay, sections_overlay, sights_overlay, weight_overlay)
+               seams_overlay, sections_overlay, sights_overlay, stopped, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
@@ -21,7 +21,7 @@ _DRAWS = (
     (measure_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
     (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'),
-    (messages.draw, 'POST_PIXEL'),
+    (stopped.draw, 'POST_PIXEL'), (messages.draw, 'POST_PIXEL'),
 )
 
 _handles = ()

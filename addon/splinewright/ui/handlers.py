@@ -7,7 +7,7 @@ from ..bridge import deviation_targets, follow, keyed, recipes, transforming, ve
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import dragging, live
 from ..bridge.net.growing import Moment
-from . import deviation_paint, editing, errands, messages, saving, texts, timers
+from . import deviation_paint, editing, errands, hints, messages, saving, texts, timers
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -43,8 +43,12 @@ def updated(scene, depsgraph):
         changed |= keyed.show(changed - written, depsgraph)
     if is_new:
         follow.refresh_all(changed, depsgraph)
-    elif changed:
+    elif changed or state.doubtful:
         follow.refresh(changed, depsgraph)
+    if state.followers or state.stopped:
+        if is_new or depsgraph.id_type_updated('SCENE') or depsgraph.id_type_updated('COLLECTION'):
+            follow.look_for_inputs()
+        hints.say_stopped()
     if len(state.nets) == len(written) == 1 and _is_alone(changed - written):
         dragging.begin(*editing.nets(), occasion)
     state.seen = ended_operators()
@@ -85,6 +89,9 @@ def undone(*_):
     _keep_frame()
     _pull_all()
     messages.refresh()
+    if state.followers or state.stopped:
+        follow.look_for_inputs()
+        hints.say_stopped()
 
 
 @persistent

@@ -1,10 +1,11 @@
-"""In the status bar: which keys do what while a net is edited, and over the knot strip. Blender's hints stay beside it."""
+"""In the status bar: which keys do what while a net is edited, and over the knot strip, and what stopped following. Blender's hints
+stay beside it."""
 
 import bpy
 
 from ..bridge import sights, versions
 from ..bridge.file_state import state
-from . import editing, keymaps, preferences
+from . import editing, keymaps, preferences, stopped
 
 _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
@@ -46,6 +47,15 @@ def redraw(context):
             window.workspace.status_text_set(state.status or None)
 
 
+def say_stopped():
+    """Let the status bar be drawn anew where what stopped following is another; while a gesture is under way, later."""
+    windows = list(bpy.context.window_manager.windows)
+    wanted = tuple(stopped.in_status(window.view_layer) for window in windows)
+    if wanted != state.stopped and (any(wanted) or any(state.stopped)) and not any(map(_is_busy, windows)):
+        state.stopped = wanted
+        redraw(bpy.context)
+
+
 def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
@@ -62,6 +72,9 @@ def _icons(item):
 
 
 def _draw(self, context):
+    problem = stopped.in_status(context.view_layer)
+    if problem:
+        self.layout.label(text=problem, icon='ERROR')
     for icons, words in said(context):
         row = self.layout.row(align=True)
         for icon in icons[:-1]:

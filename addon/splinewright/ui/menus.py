@@ -184,7 +184,7 @@ _ENTRIES = (
     ((SPLINEWRIGHT_MT_from_curves, {'curve', 'native'}), (SPLINEWRIGHT_MT_from_surfaces, {'patch', 'native'}),
      *((f"add_{recipe.kind}", kinds.FOLLOWED) for recipe in FROM_BOTH), (SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),
      *((f"add_{recipe.kind}", {'curve', 'native'}) for recipe in DERIVED if recipe is not FOLLOW and recipe not in (*MEETING, *FROM_CURVES, *FROM_BOTH, *FROM_SURFACES))),
-    (('join', kinds.SHAPES), ('separate_pieces', kinds.SHAPES), ('delete_pieces', kinds.SHAPES), ('explode', kinds.SHAPES), ('cap', {'patch'}),
+    (('join', kinds.SHAPES), ('separate_pieces', kinds.SHAPES), ('delete_pieces', kinds.SHAPES), ('explode', kinds.SHAPES), ('cap', {'patch'}), ('make_deformable', kinds.SHAPES),
      ('apply_transform', kinds.SHAPES), ('adopt_transform', kinds.SHAPES)),
     (('restore', kinds.SHAPES), ('detach', kinds.SHAPES)))
 _ENTRY_ICONS = {SPLINEWRIGHT_MT_from_curves: 'MOD_LATTICE', SPLINEWRIGHT_MT_from_surfaces: 'MOD_SOLIDIFY',
@@ -280,6 +280,13 @@ def _draw_net(self, context):
         self.layout.separator()
 
 
+def _draw_delete(self, context):
+    """Blender's X takes points away, which a net has to keep."""
+    if editing.nets_in_edit_mode(context):
+        self.layout.operator("splinewright.delete_pieces", icon='SURFACE_DATA')
+        self.layout.separator()
+
+
 def _draw_net_header(self, context):
     if editing.nets_in_edit_mode(context):
         self.layout.menu(SPLINEWRIGHT_MT_net.bl_idname)
@@ -308,6 +315,8 @@ _PLACES = (
 _TOPS = (
     ("VIEW3D_MT_edit_mesh_context_menu", _draw_net),
     ("VIEW3D_MT_edit_curve_context_menu", _draw_net),
+    ("VIEW3D_MT_edit_mesh_delete", _draw_delete),
+    ("VIEW3D_MT_edit_curve_delete", _draw_delete),
 )
 
 

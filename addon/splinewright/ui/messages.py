@@ -83,13 +83,13 @@ def draw():
     lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return
-    scale, (left, right) = _scale(), _free_space()
+    scale, (left, right) = _scale(), free_space()
     widths = [blf.dimensions(0, line)[0] for line, _ in lines]
     middle, margin = (left + right) / 2, _MARGIN * scale
     bottom = max(3 * _LINE * scale, knot_strip_overlay.top(bpy.context) + 2 * margin)
     top = bottom + len(lines) * _LINE * scale
     gpu.state.blend_set('ALPHA')
-    _draw_box(middle - max(widths) / 2 - margin, bottom - margin, middle + max(widths) / 2 + margin, top + margin / 2)
+    draw_box(middle - max(widths) / 2 - margin, bottom - margin, middle + max(widths) / 2 + margin, top + margin / 2)
     for i, ((line, color), width) in enumerate(zip(lines, widths), 1):
         blf.color(0, *color)
         blf.position(0, middle - width / 2, top - (i - 0.25) * _LINE * scale, 0)
@@ -101,7 +101,7 @@ def _scale():
     return bpy.context.preferences.system.ui_scale
 
 
-def _free_space():
+def free_space():
     """The left and right end of what toolbar and sidebar leave of the view."""
     left, right = 0, bpy.context.region.width
     if bpy.context.preferences.system.use_region_overlap:
@@ -116,7 +116,7 @@ def _free_space():
 def _wrapped(sentence):
     """The sentence in lines that fit the view."""
     blf.size(0, _SIZE * _scale())
-    left, right = _free_space()
+    left, right = free_space()
     lines = [""]
     for word in sentence.split():
         longer = f"{lines[-1]} {word}".strip()
@@ -127,7 +127,7 @@ def _wrapped(sentence):
     return lines
 
 
-def _draw_box(left, bottom, right, top):
+def draw_box(left, bottom, right, top):
     shader = gpu.shader.from_builtin('UNIFORM_COLOR')
     shader.uniform_float('color', _BEHIND)
     corners = [(left, bottom, 0), (right, bottom, 0), (right, top, 0), (left, top, 0)]

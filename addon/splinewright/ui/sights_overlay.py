@@ -14,8 +14,10 @@ def draw_paint():
     """Called by Blender for each 3D view: what lies below all lines."""
     context, chosen = bpy.context, _chosen(('deviation', 'stripes', 'curvature'))
     if chosen is not None:
-        paint = deviation_paint if chosen.deviation else surface_paint
-        paint.draw(chosen, shapes_in_hand(context))
+        if chosen.deviation:
+            deviation_paint.draw(chosen, shapes_in_hand(context))
+        else:
+            surface_paint.draw(chosen, shapes_seen(context))
 
 
 def draw():
@@ -23,11 +25,10 @@ def draw():
     context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)))
     if chosen is None:
         return
-    obs = shapes_in_hand(context)
     if chosen.deviation:
-        deviation_paint.draw_lines(chosen, obs)
-    for ob in obs:
-        for matrix in images.of(ob):
+        deviation_paint.draw_lines(chosen, shapes_in_hand(context))
+    for ob in shapes_seen(context):
+        for matrix in images.of(ob, context.view_layer, context.space_data):
             with gpu.matrix.push_pop(), strokes.nearer():
                 gpu.matrix.multiply_matrix(matrix)
                 for behind, drawn in _strokes(ob, chosen):
@@ -40,8 +41,10 @@ def draw_legend():
     """Called by Blender for each 3D view, in pixels."""
     context, chosen = bpy.context, _chosen(('deviation', 'curvature'))
     if chosen is not None:
-        paint = deviation_paint if chosen.deviation else surface_paint
-        paint.draw_legend(context, chosen, shapes_in_hand(context))
+        if chosen.deviation:
+            deviation_paint.draw_legend(context, chosen, shapes_in_hand(context))
+        else:
+            surface_paint.draw_legend(context, chosen, shapes_seen(context))
 
 
 def _chosen(switches):
@@ -61,6 +64,14 @@ def shapes_in_hand(context):
     space = context.space_data
     in_view = {'viewport': space} if space is not None and space.type == 'VIEW_3D' else {}
     return [ob for ob in found if ob.visible_get(**in_view)]
+
+
+def shapes_seen(context):
+    """shapes_in_hand(), and those in selected instances of collections."""
+    found = dict.fromkeys(shapes_in_hand(context))
+    for ob in context.selected_objects:
+        found.update(dict.fromkeys(images.shapes_in(ob)))
+    return list(found)
 
 
 def _strokes(ob, chosen):

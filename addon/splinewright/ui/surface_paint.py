@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import bpy
 import gpu
 
 from ..bridge import images, sights
@@ -21,12 +22,12 @@ class Painted(NamedTuple):
 
 def draw(chosen, obs):
     """In the 3D view at hand, over the faces of those objects that are surfaces."""
-    found = _painted(chosen, obs)
+    found, context = _painted(chosen, obs), bpy.context
     reach = _reach(chosen, found)
     for ob, painted in found:
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
         with strokes.nearer(_PART):
-            for matrix in images.of(ob):
+            for matrix in images.of(ob, context.view_layer, context.space_data):
                 _draw(chosen, painted.batch, matrix, reach)
     gpu.state.depth_test_set('NONE')
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .. import decimals, sections
+from .. import decimals, hollow
 from ..failures import Refusal
 from ..library import sc
 from .recipe import Parameter, of_patches
@@ -20,20 +20,50 @@ def result(patches, caps, error=0.0, said="", cancel=None):
     or an error of the library."""
     if caps == 'none':
         return of_patches(patches, error, said)
-    made, bends, left_open, rims = [], [], set(), []
-    for patch in patches:
-        ends = _ends(patch, len(patches) > 1)
-        chosen = {name: ends[name] for name in _ENDS[caps] if name in ends}
-        left_open |= set(_ENDS[caps]) - set(chosen)
-        rims += [(len(made), patch.boundary(side)) for side in chosen.values()]
-        parts, bend = [patch], 0.0
-        if chosen:
-            parts, bend = sc.build.cap([patch], [[(0, side)] for side in chosen.values()], cancel=cancel)
+    ends = [_ends(patch, len(patches) > 1) for patch in patches]
+    chosen = [{name: own[name] for name in _ENDS[caps] if name in own} for own in ends]
+    left_open = set().union(*(set(_ENDS[caps]) - set(own) for own in chosen))
+    made, bends = [], []
+    for number, inside in _holes(patches, chosen).items():
+        if inside is not None:
+            made += _hollow(patches, chosen, number, inside)
+            continue
+        parts, bend = [patches[number]], 0.0
+        if chosen[number]:
+            parts, bend = sc.build.cap([patches[number]], [[(0, side)] for side in chosen[number].values()], cancel=cancel)
         made += parts
         bends.append(bend)
-    _require_apart(rims)
-    told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open), *bend_in_words(max(bends))]
+    told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open),
+            *bend_in_words(max(bends, default=0.0))]
     return of_patches(made, error, ", ".join(filter(None, told)))
+
+
+def _hollow(patches, chosen, number, inside):
+    """Patches: one closed round another one that lies within it."""
+    both = [hollow.around_u(patches[i].to_nurbs(), next(iter(chosen[i].values()))) for i in (number, inside)]
+    found = hollow.hollow(*(patch for patch, _ in both), list(chosen[number]))
+    whole = [found.outer, found.inner, *found.rings]
+    return [patch.swapped().reversed('u') for patch in whole] if both[0][1] else whole
+
+
+def _holes(patches, chosen):
+    """{the number of a patch: that of the one in it, which is a hole, or None}. Raises Refusal where that is not so at all ends, or
+    there are several."""
+    names = sorted({name for own in chosen for name in own})
+    rims = {name: {i: patch.boundary(own[name]) for i, (patch, own) in enumerate(zip(patches, chosen)) if name in own} for name in names}
+    within = {name: {(i, k) for i, inner in own.items() for k, rim in own.items() if i != k and hollow.is_within(inner, rim)}
+              for name, own in rims.items()}
+    if len(set(map(frozenset, within.values()))) > 1:
+        raise Refusal("one of its curves lies within another at one end alone: such a hole cannot be capped")
+    pairs = next(iter(within.values()), set())
+    depths = [sum(i == inner for inner, _ in pairs) for i in range(len(patches))]
+    found = {}
+    for number in (i for i, depth in enumerate(depths) if depth % 2 == 0):
+        inside = [inner for inner, rim in pairs if rim == number and depths[inner] == depths[number] + 1]
+        if len(inside) > 1:
+            raise Refusal(f"{len(inside)} of its curves lie within another: a cap with one hole can be made, not one with several")
+        found[number] = inside[0] if inside else None
+    return found
 
 
 def bend_in_words(bend):
@@ -65,31 +95,3 @@ def _is_closed_along(patch, axis):
     first, last = (patch.evaluate_grid(*(([at], across) if axis == 'u' else (across, [at]))).reshape(-1, 3) for at in (start, end))
     size = float(np.linalg.norm(np.ptp(patch.points[..., :3].reshape(-1, 3), axis=0)))
     return bool(np.abs(first - last).max() <= 1e-6 * size)
-
-
-def _require_apart(rims):
-    """Raises Refusal where a rim lies within that of another patch in its plane: that would be a hole."""
-    for number, rim in rims:
-        for other, inner in rims:
-            if other != number and _is_within(inner, rim):
-                raise Refusal("one of its curves lies within another: a cap with a hole cannot be made")
-
-
-def _is_within(inner, rim):
-    points = sections.samples(rim)[:-1]
-    middle = points.mean(axis=0)
-    _, spread, axes = np.linalg.svd(points - middle)
-    normal, place = axes[2], sections.samples(inner)[5]
-    if abs((place - middle) @ normal) > 1e-6 * spread[0]:
-        return False
-    flat = rim.transformed(_onto(middle, normal))
-    point = _onto(middle, normal) @ [*place, 1.0]
-    return flat.winding_number(point[:3], normal) != 0
-
-
-def _onto(middle, normal):
-    """(4, 4): onto the plane through a point."""
-    matrix = np.eye(4)
-    matrix[:3, :3] -= np.outer(normal, normal)
-    matrix[:3, 3] = normal * (normal @ middle)
-    return matrix

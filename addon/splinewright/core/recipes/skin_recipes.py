@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from .. import decimals, holes, lofts, neighbours, rails, rims, sections, verbs
-from ..failures import Refusal
+from ..failures import Refusal, about_input
 from ..library import sc
 from . import capping
 from .recipe import Parameter, Recipe, Result, of_patches
@@ -46,20 +46,38 @@ def _one_curve(definition):
     return joined[0]
 
 
+def _one_of(inputs, number):
+    """_one_curve() of the input of a number, from 0. Raises AboutInputs."""
+    with about_input(number):
+        return _one_curve(inputs[number])
+
+
+def _one_of_each(inputs):
+    return [_one_of(inputs, number) for number in range(len(inputs))]
+
+
+def _sections_of(inputs, turned):
+    """The lofts.Sections of inputs. Raises AboutInputs."""
+    found = []
+    for number, (definition, is_turned) in enumerate(zip(inputs, turned)):
+        with about_input(number):
+            found.append(lofts.section(definition, number, _one_curve, is_turned))
+    return found
+
+
 def _within(approximation):
     return Result(approximation.value, approximation.error)
 
 
 def _loft(inputs, style, closed, align, match_corners, simple, tolerance, start, start_strength, end, end_strength, caps, turned,
           cancel=None):
-    found = [lofts.section(definition, i, _one_curve, is_turned) for i, (definition, is_turned) in enumerate(zip(inputs, turned))]
-    made, said = lofts.loft(found, lofts.End(start, start_strength), lofts.End(end, end_strength), align, match_corners,
-                            style=style, closed=closed, tolerance=tolerance if simple else None, cancel=cancel)
+    ends = lofts.End(start, start_strength), lofts.End(end, end_strength)
+    made, said = lofts.loft(_sections_of(inputs, turned), *ends, align, match_corners, style=style, closed=closed, tolerance=tolerance if simple else None, cancel=cancel)
     return capping.result([made.value], caps, made.error, said, cancel)
 
 
 def _loft_order(inputs):
-    return lofts.order([lofts.section(definition, i, _one_curve) for i, definition in enumerate(inputs)])
+    return lofts.order(_sections_of(inputs, [False] * len(inputs)))
 
 
 def _first_ends(inputs):
@@ -69,7 +87,7 @@ def _first_ends(inputs):
 
 
 def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, caps, spaces, turned, factor=None, cancel=None):
-    rail, *profiles = (_one_curve(definition) for definition in inputs)
+    rail, *profiles = _one_of_each(inputs)
     if turned[0]:
         rail, factor = rail.reversed(), factor.reversed() if own_radius else None
     profiles = [curve.reversed() if is_turned else curve for curve, is_turned in zip(profiles, turned[1:])]
@@ -84,7 +102,7 @@ def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, caps,
 
 def _two_rails(inputs, height, tolerance, caps, turned, cancel=None):
     first, second, *profiles = (curve.reversed() if is_turned else curve
-                                for curve, is_turned in zip(map(_one_curve, inputs), turned))
+                                for curve, is_turned in zip(_one_of_each(inputs), turned))
     second = rails.running_with(first, second)
     profiles, at = rails.between(first, second, profiles)
     made = sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel)
@@ -92,7 +110,7 @@ def _two_rails(inputs, height, tolerance, caps, turned, cancel=None):
 
 
 def _pipe(inputs, radius, end_radius, own_radius, caps, capped, tolerance, factor=None, cancel=None):
-    axis = _one_curve(inputs[0])
+    axis = _one_of(inputs, 0)
     start, end = axis.domain
     radii = radius if radius == end_radius else [(start, radius), (end, end_radius)]
     made = sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel)
@@ -108,7 +126,7 @@ def _first_radii(inputs):
 
 def _network(inputs, tolerance, gap, cancel=None):
     numbers = [number for number, definition in enumerate(inputs) if definition.has_curves]
-    curves = [_one_curve(inputs[number]) for number in numbers]
+    curves = [_one_of(inputs, number) for number in numbers]
     beside = neighbours.beside([verbs.pieces_of(definition) for definition in inputs if not definition.has_curves], curves,
                                gap or tolerance)
     along_u, along_v = sections.families(curves, gap or tolerance, numbers)
@@ -120,7 +138,7 @@ def _network(inputs, tolerance, gap, cancel=None):
 
 
 def _filling(inputs, continuity, other, tolerance, cancel=None):
-    shapes = [[_one_curve(definition)] if definition.has_curves else verbs.pieces_of(definition) for definition in inputs]
+    shapes = [[_one_of(inputs, i)] if definition.has_curves else verbs.pieces_of(definition) for i, definition in enumerate(inputs)]
     curves = [pieces[0] for pieces, definition in zip(shapes, inputs) if definition.has_curves]
     normal = rims.normal_of(curves) if len(curves) == len(shapes) else None
     if normal is None:
@@ -170,12 +188,12 @@ def _gone_on(filling, continuities):
 
 
 def _along_the_rail(inputs):
-    rail, *profiles = (_one_curve(definition) for definition in inputs)
+    rail, *profiles = _one_of_each(inputs)
     return [0, *(1 + i for i in rails.order_along(rail, profiles))]
 
 
 def _rails_first(inputs):
-    return rails.rails_first([_one_curve(definition) for definition in inputs])
+    return rails.rails_first(_one_of_each(inputs))
 
 
 def _ends_of_loft():

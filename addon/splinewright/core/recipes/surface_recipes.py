@@ -5,8 +5,9 @@ import math
 import numpy as np
 
 from .. import definition as definitions
+from .. import deforming
 from ..deformable import revolved
-from ..failures import Refusal
+from ..failures import Refusal, about_input
 from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
@@ -18,6 +19,8 @@ _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGT
 _START = Parameter("start", "Start", "Angle where it begins", 0.0, unit='ROTATION')
 _SWEEP = Parameter("sweep", "Sweep", "Angle about the axis; 360° closes it", 2 * math.pi, -2 * math.pi, 2 * math.pi,
                    unit='ROTATION')
+_DEFORMABLE = Parameter("deformable", "Deformable", "No exact one: cubic, without weights and smooth everywhere, to be sculpted; within "
+                        "the tolerance", False)
 _CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
 AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
@@ -39,11 +42,16 @@ def _plane(points, width, depth):
     return Result(sc.build.plane((-width / 2, -depth / 2, 0.0), (width, 0.0, 0.0), (0.0, depth, 0.0)))
 
 
-def _cylinder(points, radius, height, start, sweep, caps):
-    return _cone(points, radius, radius, height, start, sweep, caps)
+def _round(patches, deformable, tolerance):
+    """The Result of exact patches, or of deformable ones."""
+    return of_patches(*deforming.patches(patches, tolerance)) if deformable else of_patches(patches)
 
 
-def _cone(points, radius, top_radius, height, start, sweep, caps):
+def _cylinder(points, radius, height, start, sweep, caps, deformable, tolerance):
+    return _cone(points, radius, radius, height, start, sweep, caps, deformable, tolerance)
+
+
+def _cone(points, radius, top_radius, height, start, sweep, caps, deformable, tolerance):
     around = start, _turn(sweep)
     low, high = (0.0, 0.0, -height / 2), (0.0, 0.0, height / 2)
     if radius == top_radius:
@@ -54,15 +62,15 @@ def _cone(points, radius, top_radius, height, start, sweep, caps):
         # The lower cap runs from its middle out, so that its normal points down.
         patches += [sc.build.disc(low, _UP, radius, *around).reversed('v')] if radius else []
         patches += [sc.build.disc(high, _UP, top_radius, *around)] if top_radius else []
-    return of_patches(patches)
+    return _round(patches, deformable, tolerance)
 
 
-def _sphere(points, radius, start, sweep):
-    return Result(sc.build.sphere(_ORIGIN, radius, _UP, start, _turn(sweep)))
+def _sphere(points, radius, start, sweep, deformable, tolerance):
+    return _round([sc.build.sphere(_ORIGIN, radius, _UP, start, _turn(sweep))], deformable, tolerance)
 
 
-def _torus(points, radius, tube_radius, start, sweep):
-    return Result(sc.build.torus(_ORIGIN, _UP, radius, tube_radius, start, _turn(sweep)))
+def _torus(points, radius, tube_radius, start, sweep, deformable, tolerance):
+    return _round([sc.build.torus(_ORIGIN, _UP, radius, tube_radius, start, _turn(sweep))], deformable, tolerance)
 
 
 def _formula(points, x, y, z, start_u, end_u, start_v, end_v, constants, tolerance):
@@ -73,9 +81,11 @@ def _formula(points, x, y, z, start_u, end_u, start_v, end_v, constants, toleran
     return Result(*sc.build.patch_from_formulas(formulas, (start_u, end_u), (start_v, end_v), tolerance=tolerance))
 
 
-def _curves(definition):
-    if not definition.has_curves:
-        raise Refusal("it is made of patches: a curve is needed")
+def _curves(inputs, number=0):
+    definition = inputs[number]
+    with about_input(number):
+        if not definition.has_curves:
+            raise Refusal("it is made of patches: a curve is needed")
     value = definitions.to_value(definition)
     return value if isinstance(value, list) else [value]
 
@@ -83,8 +93,8 @@ def _curves(definition):
 def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, deformable, tolerance, caps, frame=None):
     through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
     if not deformable:
-        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs[0])], caps)
-    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs[0])]
+        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs)], caps)
+    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs)]
     return capping.result([patch for patch, _ in made], caps, max(error for _, error in made))
 
 
@@ -106,11 +116,11 @@ def _suggested_axis(inputs):
 
 
 def _extrude(inputs, x, y, z, caps):
-    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs[0])], caps)
+    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs)], caps)
 
 
 def _ruled(inputs, turned):
-    first, second = map(_curves, inputs)
+    first, second = (_curves(inputs, number) for number in range(2))
     if len(first) != len(second):
         raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
     return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
@@ -120,15 +130,16 @@ PRIMITIVES = (
     Recipe("plane", "Plane", "An exact flat patch",
            (Parameter("width", "Width", "Along x", 2.0, 1e-6, unit='LENGTH'),
             Parameter("depth", "Depth", "Along y", 2.0, 1e-6, unit='LENGTH')), _plane, is_surface=True, resolution=1),
-    Recipe("cylinder", "Cylinder", "An exact cylinder, open or with caps",
-           (_RADIUS, _HEIGHT, _START, _SWEEP, _CAPS), _cylinder, is_surface=True, resolution=12),
-    Recipe("cone", "Cone", "An exact cone, with a tip or truncated",
+    Recipe("cylinder", "Cylinder", "An exact cylinder, open or with caps, or a deformable one",
+           (_RADIUS, _HEIGHT, _START, _SWEEP, _CAPS, _DEFORMABLE, DEVIATION), _cylinder, is_surface=True, resolution=12),
+    Recipe("cone", "Cone", "An exact cone, with a tip or truncated, or a deformable one",
            (_RADIUS, Parameter("top_radius", "Top Radius", "0 for a tip", 0.0, 0.0, unit='LENGTH'), _HEIGHT, _START,
-            _SWEEP, _CAPS), _cone, is_surface=True, resolution=12),
-    Recipe("sphere", "Sphere", "An exact sphere", (_RADIUS, _START, _SWEEP), _sphere, is_surface=True, resolution=12),
-    Recipe("torus", "Torus", "An exact torus",
+            _SWEEP, _CAPS, _DEFORMABLE, DEVIATION), _cone, is_surface=True, resolution=12),
+    Recipe("sphere", "Sphere", "An exact sphere, or a deformable one", (_RADIUS, _START, _SWEEP, _DEFORMABLE, DEVIATION), _sphere,
+           is_surface=True, resolution=12),
+    Recipe("torus", "Torus", "An exact torus, or a deformable one",
            (_RADIUS, Parameter("tube_radius", "Tube Radius", "Of the tube", 0.25, 1e-6, unit='LENGTH'), _START,
-            _SWEEP), _torus, is_surface=True, resolution=12),
+            _SWEEP, _DEFORMABLE, DEVIATION), _torus, is_surface=True, resolution=12),
     Recipe("surface_formula", "From Formula",
            "A surface from formulas in u and v: exact for polynomials, otherwise within a tolerance",
            (Parameter("x", "x(u, v)", "Numbers, u, v, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "u"),

@@ -2,8 +2,8 @@
 
 import math
 
-from .. import decimals, patch_joints, verbs
-from ..failures import Refusal
+from .. import decimals, matching, patch_joints, verbs
+from ..failures import Refusal, about_input
 from ..library import sc
 from ..rounding import crossing
 from ..rounding import edges as rounding
@@ -29,7 +29,11 @@ def _continuity(text):
 
 def _sides(inputs, first_side, second_side):
     """(patch, side, patch, side): of two surfaces."""
-    first, second = map(patches_of, inputs)
+    both = []
+    for number, definition in enumerate(inputs):
+        with about_input(number):
+            both.append(patches_of(definition))
+    first, second = both
     choices = [patch_joints.Choice(0, None if side == 'nearest' else side) for side in (first_side, second_side)]
     (a, side_a), (b, side_b) = patch_joints.nearest_sides(first, second, *choices)
     return first[a], side_a, second[b], side_b
@@ -54,8 +58,13 @@ def _blend(inputs, continuity, first_side, second_side, first_strength, second_s
     return Result(made, 0.0, said)
 
 
-def _matched(inputs, continuity, first_side, second_side, rows, strength, cancel=None):
+def _matched(inputs, continuity, first_side, second_side, rows, strength, both, cancel=None):
     a, side_a, b, side_b = _sides(inputs, first_side, second_side)
+    if both:
+        found = matching.half_way(a, side_a, b, side_b, continuity, rows or None, strength, cancel)
+        moved = " and ".join(decimals.text_of(one, 2) for one in found.moved)
+        said = f"{_measured(found.first, side_a, found.second, side_b)}; points moved by up to {moved}"
+        return of_patches([found.first, found.second], 0.0, said)
     found = sc.build.match_patch(a, side_a, b, side_b, continuity, rows=rows or None, strength=strength, cancel=cancel)
     moved = f"points moved by up to {decimals.text_of(found.error, 2)}"
     return Result(found.value, 0.0, f"{_measured(found.value, side_a, b, side_b)}; {moved}")
@@ -166,7 +175,8 @@ RECIPES = (
            (_continuity("What it shares with the other surface"), _side("first_side", "Its Side", "active"),
             _side("second_side", "Other Side", "other"),
             Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
-            Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0)),
+            Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0),
+            Parameter("both", "Both Move", "Both surfaces move half way, and are one shape", False)),
            _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
            "Surfaces with a surface in the place of their edges that a rolling ball touches: of the edge in which two surfaces meet, "

@@ -1,0 +1,73 @@
+"""Make Deformable: exact circles and surfaces of revolution become ones to be sculpted."""
+
+import bpy
+
+from ...bridge import keyed, recipes, replacing, shape
+from ...core import decimals, deforming
+from ...core.failures import Refusal
+from .. import hand, scene_tolerance
+from . import reports
+from .pieces import scene_tolerance_property
+from .selected import OnSelected
+
+
+class SPLINEWRIGHT_OT_make_deformable(OnSelected, bpy.types.Operator):
+    bl_idname = "splinewright.make_deformable"
+    bl_label = "Make Deformable"
+    bl_description = ("Make exact circles, ellipses, cylinders, spheres, tori and surfaces of revolution cubic around, smooth "
+                      "everywhere and without the weights of circles, to be sculpted, within the tolerance. What a recipe makes "
+                      "gets Deformable in its panel")
+    bl_options = {'REGISTER', 'UNDO'}
+    needs, done = "Select a shape", "Made {} deformable"
+    fits = staticmethod(shape.has_shape)
+    has_settings = True
+
+    tolerance: scene_tolerance_property("How far it may lie from the exact one")
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
+
+    def execute(self, context):
+        scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
+        return super().execute(context)
+
+    def work(self, context, ob):
+        """Returns (how far it lies from the exact one, how many pieces still have weights)."""
+        changes = _of_recipe(ob.data)
+        if changes:
+            if all(recipes.parameters(ob.data)[name] == value for name, value in changes.items()):
+                raise Refusal("it is deformable already")
+            keyed.set_parameters(ob.data, {**changes, 'tolerance': self.tolerance})
+            return recipes.error(ob.data), 0
+        before = replacing.read(ob.data)
+        found = deforming.deformed(before, self.tolerance)
+        replacing.put(ob.data, before, found.changed)
+        hand.keep(ob.data, found.changed.parents)
+        return found.changed.error, found.rational
+
+    def said(self, outcomes):
+        error = max(error for error, _ in outcomes.values())
+        rational = sum(count for _, count in outcomes.values())
+        more = [f"within {decimals.text_of(error, 2)} of the exact one"]
+        if rational:
+            more.append(f"{rational} piece{'s' if rational > 1 else ''} keep{'' if rational > 1 else 's'} weights along the profile")
+        return reports.Said(f"{self.summary(outcomes)}: {', '.join(more)}")
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.draw_result()
+        self.layout.prop(self, "tolerance")
+
+
+def _of_recipe(data):
+    """The parameters, by name, that make what a recipe makes deformable; none where it has none."""
+    recipe = recipes.of(data) if recipes.has(data) else None
+    for parameter in recipe.parameters if recipe else ():
+        if parameter.name == 'deformable':
+            return {'deformable': True}
+        if parameter.name == 'form' and 'deformable' in (choice[0] for choice in parameter.choices):
+            return {'form': 'deformable'}
+    return {}
+
+
+CLASSES = (SPLINEWRIGHT_OT_make_deformable,)
