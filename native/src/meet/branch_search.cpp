@@ -32,7 +32,7 @@ void BranchSearch::explore(const CrossingPart& part) {
 
 /// Parts whose normals do not differ are told by what their heights do.
 bool BranchSearch::are_heights_apart(const CrossingPart& part) const {
-  if (do_normals_differ(part.a, part.b)) return false;
+  if (do_normals_differ(part.a, part.b, slack_)) return false;
   const auto difference = height_difference(part.a, part.b, slack_);
   return difference && difference->are_apart(slack_);
 }

@@ -55,8 +55,8 @@ bool CrossingPart::holds(const FourParameters& at) const noexcept {
   return true;
 }
 
-std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b) {
-  if (!do_normals_differ(a, b)) return {};
+std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b, double rounding) {
+  if (!do_normals_differ(a, b, rounding)) return {};
   const FourParameters sure = leads(a, b);
   if (std::ranges::all_of(sure, [](double lead) { return lead == 0.0; })) return {};
   return made(std::move(a), std::move(b), sure);

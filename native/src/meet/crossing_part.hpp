@@ -41,8 +41,8 @@ struct CrossingPart {
   bool holds(const FourParameters& at) const noexcept;
 };
 
-/// @returns none unless normals differ and a parameter leads
-std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b);
+/// @returns none unless normals differ, by more than places may be rounded, and a parameter leads
+std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b, double rounding);
 
 /// @returns none unless a parameter leads
 std::optional<CrossingPart> crossing_part(PatchPart a, PatchPart b, const HeightDifference& difference);

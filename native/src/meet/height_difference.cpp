@@ -87,9 +87,8 @@ std::optional<HeightDifference> height_difference(const PatchPart& a, const Patc
   if (!add_bounds(parts[0], a, *frame) || !add_bounds(parts[1], b, *frame)) return {};
   const double off = nearly.half + parts[0].off + parts[1].off;
   HeightDifference found{{nearly.middle - off, nearly.middle + off}, 0.0, nearly.bend, {}, false};
-  constexpr double kRounding = 0x1p-48;
   const double size = std::min({a.size[0], a.size[1], b.size[0], b.size[1]});
-  const double spread = nearly.spread + parts[0].steep + parts[1].steep + kRounding / size;
+  const double spread = nearly.spread + parts[0].steep + parts[1].steep + rounding / size;
   if (!(slope - spread > 0.0)) return found;
   found.least_slope = slope - spread;
   const double turn = least_cross(parts[0].tangents[0], parts[0].tangents[1]) *

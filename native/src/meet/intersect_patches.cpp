@@ -47,6 +47,7 @@ class SectionSearch {
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
     const double rounding = kRounding + 2.0 * space_.rounding();
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_known);
+    touching_.follow_borders();
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
     BranchSearch search(patches(), crossing_, smallest, rounding);

@@ -47,7 +47,7 @@ class PatchPairSearch {
     if (work_ > kMostWork) refuse_degree(std::max(a.net.values.size(), b.net.values.size()));
     if (are_apart(a, b, slack_)) return;
     if (is_lost(a) || is_lost(b)) refuse();
-    if (const auto crossing = crossing_part(a, b)) return add(*crossing);
+    if (const auto crossing = crossing_part(a, b, slack_)) return add(*crossing);
     const std::optional<HeightDifference> difference = height_difference(a, b, slack_);
     if (difference && difference->are_apart(slack_)) return;
     const auto crossing = difference ? crossing_part(a, b, *difference) : std::nullopt;

@@ -185,11 +185,15 @@ bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   return are_apart_along(a.points, b.points, axes, distance);
 }
 
-bool do_normals_differ(const PatchPart& a, const PatchPart& b) {
+bool do_normals_differ(const PatchPart& a, const PatchPart& b, double rounding) {
   if (!a.is_boxed || !b.is_boxed) return false;
   const VectorCone& of_a = a.normals();
   const VectorCone& of_b = b.normals();
-  const double spread = kMargin * (of_a.spread + of_b.spread);
+  // The narrower a part is the more rounding of places turns its normals.
+  static constexpr double kThinnest = 0x1p-20;
+  const auto width = [](const PatchPart& part) { return std::max(kThinnest, std::min(part.size[0], part.size[1])); };
+  const double rounded = rounding / width(a) + rounding / width(b);
+  const double spread = kMargin * (of_a.spread + of_b.spread) + rounded;
   if (!(spread < 0.5 * std::numbers::pi)) return false;
   return std::atan2(glm::length(glm::cross(of_a.along, of_b.along)), std::abs(glm::dot(of_a.along, of_b.along))) > spread;
 }

@@ -76,7 +76,7 @@ bool are_edges_apart(const PatchPart& a, const PatchPart& b, double distance);
 
 /// Whether no normal of one is parallel to one of the other, by a margin: then they meet in one line at most, which goes
 /// one way.
-bool do_normals_differ(const PatchPart& a, const PatchPart& b);
+bool do_normals_differ(const PatchPart& a, const PatchPart& b, double rounding);
 
 /// Whether no tangent of a curve is parallel to a tangent plane, by a margin: then they meet once at most.
 bool goes_through(const CurvePart& a, const PatchPart& b);

@@ -42,7 +42,7 @@ bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   // Where surfaces touch more closely in a point of a curve they are within the tolerance about it, and not one.
   constexpr double kSmall = 0x1p-6;
   if (std::max(a.largest_size(), b.largest_size()) < kSmall * std::min(patches_.a.extent(), patches_.b.extent())) return true;
-  are_one_ = true;
+  are_one_ = are_one_ || seen.is_inside;
   find_borders(a, b);
   return true;
 }
@@ -52,7 +52,7 @@ TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPar
   const double farthest = std::max(a.largest_size(), b.largest_size());
   const std::size_t rows = std::min(a.net.rows + 1, kMost);
   const std::size_t columns = std::min(a.net.columns + 1, kMost);
-  PartLook found{!beads_.empty(), true};
+  PartLook found{!beads_.empty(), true, false};
   PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
@@ -60,11 +60,13 @@ TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPar
       const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
       at.a.at = {a.range[0].start + s * a.range[0].length(), a.range[1].start + t * a.range[1].length()};
       const std::optional<PatchSpots> foot = foot_near(patches_, at);
-      if (!foot) return {false, false};
+      if (!foot) return {false, false, false};
       at.b = foot->b;
+      PatchSpots inside = at;
+      found.is_inside = found.is_inside || enters(inside);
       const PatchMeeting here = meeting_at(patches_, at);
       const double gap = glm::dot(here.b.offset, here.normal_a);
-      if (std::abs(gap) > farthest) return {false, false};
+      if (std::abs(gap) > farthest) return {false, false, false};
       found.is_near = found.is_near && std::abs(gap) <= tolerance_;
       found.is_explained = found.is_explained && is_explained(here.a.point, gap);
       if (!found.is_near && !found.is_explained) return found;
@@ -177,18 +179,70 @@ void TouchingCurves::find_borders_of(const PatchPart& part, const PatchPart& oth
   }
 }
 
+/// Where a border leaves the other patch, the border of that goes on, however short it is.
+void TouchingCurves::follow_borders() {
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    if (borders_[i].is_closed) continue;
+    const std::array<PatchSpots, 2> ends{borders_[i].places.front().at, borders_[i].places.back().at};
+    for (const PatchSpots& end : ends) {
+      for (const OnFace& border : borders_at(end)) {
+        PatchSpots at = end;
+        at[border.parameter] = border.value;
+        std::optional<SectionTrace> trace = traced_border(at, border);
+        if (trace && is_new(*trace)) add_border(std::move(*trace));
+      }
+    }
+  }
+}
+
+/// The borders of both patches that a place is on.
+std::vector<OnFace> TouchingCurves::borders_at(const PatchSpots& at) const {
+  constexpr double kHalfOfDigits = 0x1p-24;
+  std::vector<OnFace> found;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const bool is_end = at[i] > 0.5;
+    const double value = is_end ? 1.0 : 0.0;
+    const PatchPieces& pieces = i < 2 ? patches_.a : patches_.b;
+    const std::size_t piece = i < 2 ? at.a.piece : at.b.piece;
+    const PieceSide side{i % 2 == 0 ? Axis::u : Axis::v, is_end};
+    if (std::abs(at[i] - value) > kHalfOfDigits || pieces.is_pole(piece, side) || pieces.beyond(piece, side)) continue;
+    found.push_back({i, value});
+  }
+  return found;
+}
+
+/// Whether a border goes where none that is known does.
+bool TouchingCurves::is_new(const SectionTrace& trace) const {
+  for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+    if (!trace.places[i].has_pieces_of(trace.places[i + 1])) continue;
+    const SectionStep step(trace.places[i], trace.places[i + 1]);
+    if (step.length > near_border() && !border_beads_.is_near(step.point(0.5), near_border())) return true;
+  }
+  return false;
+}
+
+double TouchingCurves::near_border() const { return std::max(4.0 * tolerance_, 0x1p-16); }
+
 void TouchingCurves::find_border(const PatchSpots& at, const OnFace& border) {
   const PatchMeeting here = meeting_at(patches_, at);
-  const double near = std::max(4.0 * tolerance_, 0x1p-16);
-  if (here.distance() > 0.5 * tolerance_ || border_beads_.is_near(here.a.point, near)) return;
+  if (here.distance() > 0.5 * tolerance_ || border_beads_.is_near(here.a.point, near_border())) return;
+  if (std::optional<SectionTrace> trace = traced_border(at, border)) add_border(std::move(*trace));
+}
+
+std::optional<SectionTrace> TouchingCurves::traced_border(const PatchSpots& at, const OnFace& border) const {
+  const PatchMeeting here = meeting_at(patches_, at);
   const std::size_t other = border.parameter ^ 1U;
   const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];
-  if (!(glm::length(slope) > 0.0)) return;
+  if (!(glm::length(slope) > 0.0)) return {};
   const glm::dvec3 way = glm::normalize(slope);
   SectionPlace seed{at, here.a.point + 0.5 * here.b.offset, way, slopes_along(here, way)};
   seed.slopes[border.parameter] = 0.0;
   SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::border, border}, {}, 0.5 * tolerance_});
-  if (trace.places.size() < 2) return;
+  return trace.places.size() < 2 ? std::nullopt : std::optional(std::move(trace));
+}
+
+void TouchingCurves::add_border(SectionTrace trace) {
+  are_one_ = true;
   border_beads_.add(patches_, trace);
   borders_.push_back(std::move(trace));
 }

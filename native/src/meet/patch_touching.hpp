@@ -37,6 +37,9 @@ class TouchingCurves {
   /// surfaces do that touch once, or they are one.
   bool knows(const PatchPart& a, const PatchPart& b);
 
+  /// Where a border leaves the other patch, the border of that goes on: after all parts are asked about.
+  void follow_borders();
+
   /// Whether a place where they cross is so near to a curve along which they touch that within the tolerance they touch there.
   bool runs_by(const SectionPlace& place) const;
 
@@ -54,6 +57,7 @@ class TouchingCurves {
   struct PartLook {
     bool is_explained;  ///< it parts from a curve that is known, as surfaces do that touch there
     bool is_near;       ///< it is within the tolerance
+    bool is_inside;     ///< a place of it is in the second one, not only on how that goes on
   };
 
   PartLook look(const PatchPart& a, const PatchPart& b) const;
@@ -64,6 +68,11 @@ class TouchingCurves {
   void find_borders(const PatchPart& a, const PatchPart& b);
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
   void find_border(const PatchSpots& at, const OnFace& border);
+  std::optional<SectionTrace> traced_border(const PatchSpots& at, const OnFace& border) const;
+  double near_border() const;
+  std::vector<OnFace> borders_at(const PatchSpots& at) const;
+  bool is_new(const SectionTrace& trace) const;
+  void add_border(SectionTrace trace);
 
   TwoPatches patches_;
   double tolerance_;
