@@ -60,7 +60,7 @@ def _turned(track, back, parts, middle, size):
     """track: (n, 3), of (1, cos, sin) times a weight. back: from these to the rows of parts."""
     if not (track[:, 0] > 0).all() and not (track[:, 0] < 0).all():
         return None
-    angles = np.unwrap(np.arctan2(track[:, 2] / track[:, 0], track[:, 1] / track[:, 0]))
+    angles = np.unwrap([math.atan2(y / w, x / w) for w, x, y in track[:, :3]])
     steps = np.diff(angles)
     if (steps > 0).all():
         sign = 1.0

@@ -4,8 +4,8 @@ Points of a sphere are pairs of complex numbers (spinors) up to a factor; square
 arcs of the second degree do, and a bilinear one has all three sides so.
 """
 
+import math
 from itertools import product
-from math import comb
 
 import numpy as np
 
@@ -25,7 +25,7 @@ def net_of(centre, radius, a, b, c):
     corners = np.array([[north, first], [pole, second]])
     net = np.zeros((3, 3, 4))
     for (i, j), (k, m) in product(product(range(2), repeat=2), repeat=2):
-        net[i + k, j + m] += _between(corners[i, j], corners[k, m]) / (comb(2, i + k) * comb(2, j + m))
+        net[i + k, j + m] += _between(corners[i, j], corners[k, m]) / (math.comb(2, i + k) * math.comb(2, j + m))
     net[..., :3] = net[..., 3:] * centre + radius * (net[..., :3] @ frame)
     return net
 
@@ -39,8 +39,8 @@ def _frame(axis):
 
 
 def _spinor(way):
-    angle, turn = np.arctan2(np.hypot(way[0], way[1]), way[2]), np.arctan2(way[1], way[0])
-    return np.array([np.cos(angle / 2), np.sin(angle / 2) * np.exp(1j * turn)])
+    angle, turn = math.atan2(math.hypot(way[0], way[1]), way[2]), math.atan2(way[1], way[0])
+    return np.array([math.cos(angle / 2), math.sin(angle / 2) * complex(math.cos(turn), math.sin(turn))])
 
 
 def _phase(number):

@@ -1,5 +1,7 @@
 """Patches cut where they have creases, so that every edge is a side."""
 
+import math
+
 import numpy as np
 
 from .. import patch_curves
@@ -52,7 +54,7 @@ def _has_corner(patch, axis, knot):
             continue
         before = knot if knot > curve.domain[0] else curve.domain[1]
         ways = [curve.derivatives([at], 1, side=side)[0, 1] for at, side in ((before, 'left'), (knot, 'right'))]
-        turn = np.arctan2(np.linalg.norm(np.cross(*ways)), np.dot(*ways))
+        turn = math.atan2(np.linalg.norm(np.cross(*ways)), np.dot(*ways))
         if turn > SMOOTH_TURN:
             return True
     return False

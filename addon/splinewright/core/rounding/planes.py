@@ -1,6 +1,7 @@
 """Straight edges of planes, and the corners in which they meet, rounded exactly: by cylinders, spheres and what is left of the
 planes."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -70,7 +71,7 @@ class _Rounding:
         start, end = self.body.corners[a.start], self.body.corners[a.end]
         way = (end - start) / np.linalg.norm(end - start)
         inward = [np.cross(self._outlines[face].normal, way if span.start == a.start else -way) for face, span in zip(faces, spans)]
-        half = 0.5 * np.arctan2(np.linalg.norm(np.cross(*inward)), np.dot(*inward))
+        half = 0.5 * math.atan2(np.linalg.norm(np.cross(*inward)), np.dot(*inward))
         if not half > 0.5 * _LEAST_ANGLE:
             raise Refusal(f"{named}: its surfaces fold back on each other, there is no room for a ball")
         return Ridge(edge.number, faces, (a.start, a.end), way, tuple(inward), half)
@@ -114,7 +115,7 @@ class _Rounding:
         into = way @ ridge.into(face)
         if not into > _LEAST_ANGLE * np.linalg.norm(way):
             raise Refusal(f"{self._named(corner)}: a side goes on there as the edge does")
-        return place + way * (self.radius / np.tan(ridge.half) / into)
+        return place + way * (self.radius / math.tan(ridge.half) / into)
 
     def _ball(self, corner, ridges, faces):
         place = self.body.corners[corner]
@@ -244,7 +245,7 @@ def _pairs(faces):
 
 def _arc(first, tip, second, half):
     """(3, 4): homogeneous points of the conic that leaves the edge's planes in two points, whose lines meet in a tip."""
-    weight = np.sin(half)
+    weight = math.sin(half)
     return np.array([[*first, 1.0], [*(weight * tip), weight], [*second, 1.0]])
 
 
