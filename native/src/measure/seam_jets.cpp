@@ -188,7 +188,7 @@ SeamJets seam_jets(const Flank& a, const Flank& b, std::vector<SeamPlace> places
 
 SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::span<const SeamMeasure> measures) {
   constexpr int kRounds = 4;
-  constexpr int kMostRounds = 24;
+  constexpr int kMostRounds = 8;
   SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
   std::vector<double> tops = largest_of(jets, measures);
   for (int round = 0; round < kMostRounds; ++round) {
