@@ -136,7 +136,9 @@ def test_tools_are_in_the_sidebar_the_header_and_on_top_of_the_context_menu():
         enter()
         assert panel.poll(bpy.context) and "Knots" in drawn()
         leave()
-    assert [menu for menu, _ in menus._TOPS] == ["VIEW3D_MT_edit_mesh_context_menu", "VIEW3D_MT_edit_curve_context_menu"]
+    assert [menu for menu, _ in menus._TOPS] == [
+        "VIEW3D_MT_edit_mesh_context_menu", "VIEW3D_MT_edit_curve_context_menu", "VIEW3D_MT_edit_mesh_delete",
+        "VIEW3D_MT_edit_curve_delete"]
 
 
 @pytest.mark.parametrize('kind', ('nurbs', 'plain nurbs'))
