@@ -112,13 +112,15 @@ def _in_world(ob, points):
 
 
 def _of_vertices(region, view, ob):
-    shown = [vertex for vertex in bmesh.from_edit_mesh(ob.data).verts if not vertex.hide]
+    mesh = bmesh.from_edit_mesh(ob.data)            # its parts are gone with it
+    shown = [vertex for vertex in mesh.verts if not vertex.hide]
     places = _in_world(ob, np.array([vertex.co for vertex in shown]).reshape(-1, 3))
     return [vertex.index for vertex in shown], places, picking.on_screen(region, view, np.eye(4), places)
 
 
 def _of_edges(region, view, pixel, ob):
-    shown = [edge for edge in bmesh.from_edit_mesh(ob.data).edges if not edge.hide]
+    mesh = bmesh.from_edit_mesh(ob.data)
+    shown = [edge for edge in mesh.edges if not edge.hide]
     ends = _in_world(ob, np.array([[vertex.co for vertex in edge.verts] for edge in shown]).reshape(-1, 3))
     pixels = picking.on_screen(region, view, np.eye(4), ends).reshape(-1, 2, 2)
     start, along = pixels[:, 0], pixels[:, 1] - pixels[:, 0]

@@ -250,7 +250,8 @@ def selects_vertices(ob):
 
 def flags(ob):
     """(m,) bool: the selected vertices in Edit Mode."""
-    return np.array([vertex.select for vertex in bmesh.from_edit_mesh(ob.data).verts], bool)
+    mesh = bmesh.from_edit_mesh(ob.data)
+    return np.array([vertex.select for vertex in mesh.verts], bool)
 
 
 def set_flags(ob, chosen):
@@ -268,7 +269,8 @@ def set_flags(ob, chosen):
 
 def is_chosen(ob, index, kind):
     """Whether a vertex or an edge is selected. kind: 'verts' or 'edges'."""
-    return _part(bmesh.from_edit_mesh(ob.data), index, kind).select
+    mesh = bmesh.from_edit_mesh(ob.data)            # its parts are gone with it
+    return _part(mesh, index, kind).select
 
 
 def choose(ob, index, kind, how):

@@ -23,7 +23,8 @@ def read(ob):
     if ob.type == 'CURVE':
         return ob.data.splines[0].resolution_v if len(ob.data.splines) else 0
     if ob.mode == 'EDIT':
-        vertices = bmesh.from_edit_mesh(ob.data).verts
+        mesh = bmesh.from_edit_mesh(ob.data)        # its parts are gone with it
+        vertices = mesh.verts
         layer = vertices.layers.int.get(_NAME)
         return next((vertex[layer] for vertex in vertices if vertex[layer]), 0) if layer else 0
     attribute = ob.data.attributes.get(_NAME)
@@ -35,7 +36,8 @@ def write(ob, number):
     if ob.type == 'CURVE':
         _write_curve(ob.data, number)
         return
-    vertices = bmesh.from_edit_mesh(ob.data).verts
+    mesh = bmesh.from_edit_mesh(ob.data)
+    vertices = mesh.verts
     layer = vertices.layers.int.get(_NAME)
     if layer:
         for vertex in vertices:
