@@ -74,11 +74,13 @@ bool is_level_at(const SeamJets& jets, SeamMeasure measure, std::size_t at) {
   return (at == 0 || is_same(at - 1)) && (at + 1 == jets.places.size() || is_same(at + 1));
 }
 
-/// Places at which a measure is larger than beside them: nearly as large as anywhere, or among the largest of these, for a spike
-/// may be higher than where it was met.
-std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
+/// So many peaks of a measure are looked at more closely, for a spike may be higher than where it was met.
+constexpr std::size_t kFew = 8;
+
+/// Places at which a measure is larger than beside them, no more than `most`: nearly as large as anywhere, or among the few
+/// largest of these.
+std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure, std::size_t most) {
   constexpr double kHigh = 0.7;
-  constexpr std::size_t kMost = 8;
   const std::size_t top = largest_at(jets, measure);
   const std::size_t count = jets.places.size();
   if (top == count) return {};
@@ -92,16 +94,16 @@ std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure) {
   std::ranges::stable_sort(found, std::ranges::greater(), [&](std::size_t i) { return values[i]; });
   const auto is_low = [&](std::size_t i) { return !(values[i] >= kHigh * values[top]); };
   const auto low = std::ranges::find_if(found, is_low) - found.begin();
-  found.resize(std::min(found.size(), std::max(kMost, static_cast<std::size_t>(low))));
+  found.resize(std::min({found.size(), std::max(kFew, static_cast<std::size_t>(low)), most}));
   return found;
 }
 
 /// For each place whether one beside the step from there to the next one, which has a length, is such a peak of a measure.
-std::vector<bool> steps_beside_peaks(const SeamJets& jets, std::span<const SeamMeasure> measures) {
+std::vector<bool> steps_beside_peaks(const SeamJets& jets, std::span<const SeamMeasure> measures, std::size_t most) {
   const auto& places = jets.places;
   std::vector<bool> chosen(places.size(), false);
   for (const SeamMeasure measure : measures) {
-    for (const std::size_t at : peaks_of(jets, measure)) {
+    for (const std::size_t at : peaks_of(jets, measure, most)) {
       const auto is_there = [&](std::size_t i) { return std::abs(places[i].share - places[at].share) <= kSameShare; };
       std::size_t before = at;
       std::size_t behind = at;
@@ -192,7 +194,8 @@ SeamJets dense_seam_jets(const Flank& a, const Flank& b, SeamDepth depth, std::s
   SeamJets jets = seam_jets(a, b, dense_places(a, b), depth);
   std::vector<double> tops = largest_of(jets, measures);
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::vector<bool> steps = steps_beside_peaks(jets, measures);
+    const std::size_t most = round < kRounds ? jets.places.size() : kFew;     // what is rounding has very many
+    const std::vector<bool> steps = steps_beside_peaks(jets, measures, most);
     if (std::ranges::find(steps, true) == steps.end()) break;
     jets = closer(a, b, depth, jets, steps);
     const std::vector<double> before = std::exchange(tops, largest_of(jets, measures));
