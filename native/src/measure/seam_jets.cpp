@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -91,10 +90,13 @@ std::vector<std::size_t> peaks_of(const SeamJets& jets, SeamMeasure measure, std
     const bool is_lower = (i > 0 && values[i - 1] > values[i]) || (i + 1 < count && values[i + 1] > values[i]);
     if (!is_lower && values[i] > 0.0 && !is_level_at(jets, measure, i)) found.push_back(i);
   }
-  std::ranges::stable_sort(found, std::ranges::greater(), [&](std::size_t i) { return values[i]; });
-  const auto is_low = [&](std::size_t i) { return !(values[i] >= kHigh * values[top]); };
-  const auto low = std::ranges::find_if(found, is_low) - found.begin();
-  found.resize(std::min({found.size(), std::max(kFew, static_cast<std::size_t>(low)), most}));
+  const auto high = std::ranges::count_if(found, [&](std::size_t i) { return values[i] >= kHigh * values[top]; });
+  const std::size_t wanted = std::min({found.size(), std::max(kFew, static_cast<std::size_t>(high)), most});
+  const auto is_before = [&](std::size_t i, std::size_t j) {
+    return values[i] > values[j] || (values[i] == values[j] && i < j);
+  };
+  std::ranges::nth_element(found, found.begin() + static_cast<std::ptrdiff_t>(wanted), is_before);
+  found.resize(wanted);
   return found;
 }
 
