@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import bpy
 
-from window import View, redrawn, until
+from window import View, empty_file, redrawn, until
 
 KEYS = {**{str(i): name for i, name in enumerate(('ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE'))},
         '.': 'PERIOD', '-': 'MINUS', ' ': 'SPACE'}
@@ -120,3 +120,27 @@ def saved_and_opened(view, path):
     bpy.ops.wm.open_mainfile(filepath=str(path))
     yield from redrawn()
     return View()
+
+
+def followed_when_opened(view, path, value, require, name, text):
+    """Steps that save and open the file, and move an object by keys, which value() follows. require: called of both."""
+    before = value()
+    view = yield from saved_and_opened(view, path)
+    assert value() == before
+    require()
+    view.move(420, 420)
+    yield from choose(view, name)
+    yield from keys(view, text)
+    yield from until(lambda: value() != before, "it follows in the opened file")
+    require()
+
+
+def one_by_one(*stops):
+    """Steps through an empty file: what a user does, each stop of which is told when it is over."""
+    view = View()
+    empty_file()
+    view.move(420, 690)
+    yield from redrawn()
+    for stop in stops:
+        yield from stop(view)
+        print(stop.__name__, flush=True)

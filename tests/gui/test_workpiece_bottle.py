@@ -8,7 +8,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
 import by_keys
-from window import View, empty_file, part, redrawn, run, save_picture, until
+from window import part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 SECTIONS = ("S 0.8 Enter", "S 0.9 Enter G Z 1 Enter", "S 0.8 Enter G Z 2 Enter", "S 0.4 Enter G Z 2.6 Enter")
@@ -77,25 +77,11 @@ def scaled(view):
 
 
 def kept(view):
-    before = value()
-    view = yield from by_keys.saved_and_opened(view, OUTPUT / "bottle.blend")
-    assert value() == before and open_ends() == 0
-    yield from by_keys.choose(view, NAMES[3])
-    view.move(420, 420)
-    yield from by_keys.keys(view, "G Z 0.2 Enter")
-    yield from until(lambda: value() != before, "it follows in the opened file")
-    assert open_ends() == 0 and part('bridge.follow').problem(bpy.data.objects[NAMES[-1]].data) == ""
+    def is_whole():
+        assert open_ends() == 0
+    yield from by_keys.followed_when_opened(view, OUTPUT / "bottle.blend", value, is_whole, NAMES[3], "G Z 0.2 Enter")
+    assert part('bridge.follow').problem(bpy.data.objects[NAMES[-1]].data) == ""
     picture("opened")
 
 
-def steps():
-    view = View()
-    empty_file()
-    view.move(420, 690)
-    yield from redrawn()
-    for stop in (sections, lofted, scaled, kept):
-        yield from stop(view)
-        print(stop.__name__, flush=True)
-
-
-run(steps())
+run(by_keys.one_by_one(sections, lofted, scaled, kept))

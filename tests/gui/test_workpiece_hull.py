@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import by_keys
-from window import View, empty_file, into_net, nets, out_of_net, redrawn, run, save_picture, until
+from window import into_net, nets, out_of_net, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: (place along the hull, keel, chine and sheer in the front view)
@@ -123,31 +123,18 @@ def dragged(view):
 
 
 def kept(view):
-    before = value()
-    view = yield from by_keys.saved_and_opened(view, OUTPUT / "hull.blend")
-    assert value() == before
-    view.move(420, 690)
-    yield from by_keys.choose(view, NAMES[2])
-    yield from by_keys.keys(view, "G Y 1 Enter")
-    yield from until(lambda: value() != before, "it follows in the opened file")
-    require_chine()
+    yield from by_keys.followed_when_opened(view, OUTPUT / "hull.blend", value, require_chine, NAMES[2], "G Y 1 Enter")
     picture("opened")
 
 
-def steps():
-    view = View()
-    empty_file()
-    view.move(420, 690)
-    yield from redrawn()
+def near(view):
+    """From the front, so near that a click beside a point takes none of another frame."""
     view.press('NUMPAD_1')
     yield from redrawn()
     region = view.area.spaces.active.region_3d
-    region.view_location, region.view_distance = (0.5, 0.0, 0.5), 3.5       # a click near a point of another frame would take it
+    region.view_location, region.view_distance = (0.5, 0.0, 0.5), 3.5
     yield from redrawn()
     yield from redrawn()
-    for stop in (frames, lofted, dragged, kept):
-        yield from stop(view)
-        print(stop.__name__, flush=True)
 
 
-run(steps())
+run(by_keys.one_by_one(near, frames, lofted, dragged, kept))

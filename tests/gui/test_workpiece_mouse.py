@@ -10,7 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 import by_keys
-from window import View, empty_file, into_net, nets, out_of_net, part, redrawn, run, save_picture, until
+from window import into_net, nets, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: From the plane outwards: all stand on the floor.
@@ -102,25 +102,8 @@ def dragged(view):
 
 
 def kept(view):
-    before = value()
-    view = yield from by_keys.saved_and_opened(view, OUTPUT / "mouse.blend")
-    assert value() == before
-    view.move(420, 420)
-    yield from by_keys.choose(view, NAMES[1])
-    yield from by_keys.keys(view, "S 1.1 Enter")
-    yield from until(lambda: value() != before, "it follows in the opened file")
-    require_smooth()
+    yield from by_keys.followed_when_opened(view, OUTPUT / "mouse.blend", value, require_smooth, NAMES[1], "S 1.1 Enter")
     picture("opened")
 
 
-def steps():
-    view = View()
-    empty_file()
-    view.move(420, 690)
-    yield from redrawn()
-    for stop in (ribs, mirrored, dragged, kept):
-        yield from stop(view)
-        print(stop.__name__, flush=True)
-
-
-run(steps())
+run(by_keys.one_by_one(ribs, mirrored, dragged, kept))

@@ -9,8 +9,7 @@ from ...core.failures import FAILURES
 from .. import hand, scene_tolerance
 from . import polls, reports
 from .pick_piece import draw_number
-from .pieces import scene_tolerance_property, told
-from .selected import OnSelected
+from .pieces import UpToTolerance, scene_tolerance_property, told
 
 _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
           'C1': "They share the first derivative", 'C2': "They share the first two derivatives"}
@@ -62,7 +61,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         draw_number(layout, self, "second")
 
 
-class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
+class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_idname = "splinewright.join_pieces"
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
@@ -70,21 +69,8 @@ class SPLINEWRIGHT_OT_join_pieces(OnSelected, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
-    has_settings = True
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
-
-    def draw(self, context):
-        self.layout.use_property_split = True
-        self.draw_result()
-        self.layout.prop(self, "tolerance")
-
-    def can_work(self, ob):
-        return replacing.can_change(ob.data)
-
-    def execute(self, context):
-        scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
-        return super().execute(context)
 
     def work(self, context, ob):
         replacing.require_changeable(ob.data)

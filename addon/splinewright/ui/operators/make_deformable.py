@@ -5,13 +5,12 @@ import bpy
 from ...bridge import keyed, recipes, replacing, shape
 from ...core import decimals, deforming
 from ...core.failures import Refusal
-from .. import hand, scene_tolerance
+from .. import hand
 from . import reports
-from .pieces import scene_tolerance_property
-from .selected import OnSelected
+from .pieces import UpToTolerance, scene_tolerance_property
 
 
-class SPLINEWRIGHT_OT_make_deformable(OnSelected, bpy.types.Operator):
+class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
     bl_idname = "splinewright.make_deformable"
     bl_label = "Make Deformable"
     bl_description = ("Make exact circles, ellipses, cylinders, spheres, tori and surfaces of revolution cubic around, smooth "
@@ -20,16 +19,8 @@ class SPLINEWRIGHT_OT_make_deformable(OnSelected, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a shape", "Made {} deformable"
     fits = staticmethod(shape.has_shape)
-    has_settings = True
 
     tolerance: scene_tolerance_property("How far it may lie from the exact one")
-
-    def can_work(self, ob):
-        return replacing.can_change(ob.data)
-
-    def execute(self, context):
-        scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
-        return super().execute(context)
 
     def work(self, context, ob):
         """Returns (how far it lies from the exact one, how many pieces still have weights)."""
@@ -52,12 +43,6 @@ class SPLINEWRIGHT_OT_make_deformable(OnSelected, bpy.types.Operator):
         if rational:
             more.append(f"{rational} piece{'s' if rational > 1 else ''} keep{'' if rational > 1 else 's'} weights along the profile")
         return reports.Said(f"{self.summary(outcomes)}: {', '.join(more)}")
-
-    def draw(self, context):
-        self.layout.use_property_split = True
-        self.draw_result()
-        self.layout.prop(self, "tolerance")
-
 
 def _of_recipe(data):
     """The parameters, by name, that make what a recipe makes deformable; none where it has none."""

@@ -39,6 +39,24 @@ def scene_tolerance_property(what):
     return tolerance_property(what, 1e-4, options={'SKIP_SAVE'})
 
 
+class UpToTolerance(OnSelected):
+    """Changes shapes up to its `tolerance`, the scene's where none is given."""
+
+    has_settings = True
+
+    def can_work(self, ob):
+        return replacing.can_change(ob.data)
+
+    def execute(self, context):
+        scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
+        return super().execute(context)
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.draw_result()
+        self.layout.prop(self, "tolerance")
+
+
 class OnPieces(OnSelected):
     """Does verb() with pieces of every selected shape that fits, or of those whose nets are edited; `already` is said
     where that changes nothing."""
