@@ -142,6 +142,15 @@ def test_one_end_alone_and_a_part_of_a_turn():
     assert is_closed(found) and volume(found) == pytest.approx(0.75 * math.pi * 6.0, rel=1e-9)
 
 
+@pytest.mark.parametrize('radii', ([1.0], [2.0, 1.0]))
+@pytest.mark.parametrize('height', (2.0, -2.0))
+@pytest.mark.parametrize('size', (1e-150, 1e-60, 1e60, 1e150))
+def test_normals_point_outwards_at_any_size(size, height, radii):
+    found = make('extrude', [moved(CIRCLE, size=radius * size) for radius in radii], z=height * size, caps='both')
+    there = sc.PatchSet.from_patches([patch.transformed(np.diag([1 / size] * 3 + [1.0])) for patch in patches_of(found)])
+    assert there.volume() == pytest.approx(2 * math.pi * (max(radii) ** 2 - (len(radii) - 1)), rel=1e-9)
+
+
 def test_an_island_in_a_hole_is_a_body_of_its_own():
     found = make('extrude', [moved(CIRCLE, size=size) for size in (1.0, 3.0, 2.0)], z=1.0, caps='both')
     assert is_closed(found) and volume(found) == pytest.approx(6.0 * math.pi, rel=1e-9)

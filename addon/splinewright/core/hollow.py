@@ -78,7 +78,7 @@ def hollow(outer, inner, ends):
     outer, inner = _on_same_knots(outer, _beginning_at(own, way.start))
     rings = [_ring(outer, inner, end) for end in ends]
     patches = [outer, inner.reversed('u'), *rings]
-    is_turned = len(ends) == 2 and sc.PatchSet.from_patches(patches).volume() < 0.0
+    is_turned = len(ends) == 2 and _is_inside_out(patches)
     if is_turned:
         patches = [patch.reversed('u') for patch in patches]
     lie_outer = places.reversed_(places.WHOLE) if is_turned else places.WHOLE
@@ -192,6 +192,13 @@ def _beginning_at(patch, part):
     knots = np.concatenate([first.knots[0][:-1], last.knots[0][degree + 1:] - last.domain[0][0] + first.domain[0][1]])
     return sc.NurbsPatch.from_homogeneous(patch.degree, (knots, patch.knots[1]), np.concatenate([rows, scale * more[1:]]),
                                           (False, patch.periodic[1]))
+
+
+def _is_inside_out(patches):
+    """Whether normals of a closed surface point inwards, whatever its size."""
+    points = np.concatenate([patch.points.reshape(-1, 3) for patch in patches])
+    matrix = np.column_stack([np.eye(3), -points.mean(axis=0)]) / np.ptp(points, axis=0).max()
+    return sc.PatchSet.from_patches([patch.transformed(matrix) for patch in patches]).volume() < 0.0
 
 
 def _on_same_knots(outer, inner):

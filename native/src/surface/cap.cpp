@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/placement.hpp"
 #include "fitted_together.hpp"
 #include "rim_region.hpp"
 #include "splinecore/base/errors.hpp"
@@ -209,10 +210,20 @@ FilledRim cap_of(Capping& capping, std::size_t end) {
   throw InvalidShape(kNotSeen);
 }
 
+/// Where the largest is about 1 large, and its volume a number.
+std::vector<NurbsPatch> placed_together(std::span<const NurbsPatch> patches) {
+  std::vector<glm::dvec4> points;
+  for (const NurbsPatch& patch : patches) std::ranges::copy(patch.points(), std::back_inserter(points));
+  const Placement placement = placement_of(points);
+  std::vector<NurbsPatch> found;
+  for (const NurbsPatch& patch : patches) found.push_back(placed(patch, placement));
+  return found;
+}
+
 /// Whether what is closed has its normals inwards; false where that cannot be told.
 bool is_inside_out(std::span<const NurbsPatch> patches) {
   try {
-    return volume(set_of(patches), 1e-6).value < 0.0;
+    return volume(set_of(placed_together(patches)), 1e-6).value < 0.0;
   } catch (const InvalidShape&) {
     return false;  // open, or not turned alike: there is no outside
   } catch (const ToleranceNotReached&) {
