@@ -41,7 +41,9 @@ bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   if (!seen.is_near || !is_one(a, b)) return false;
   // Where surfaces touch more closely in a point of a curve they are within the tolerance about it, and not one.
   constexpr double kSmall = 0x1p-6;
-  if (std::max(a.largest_size(), b.largest_size()) < kSmall * std::min(patches_.a.extent(), patches_.b.extent())) return true;
+  constexpr double kExact = 0x1p-40;
+  const double size = std::max(a.largest_size(), b.largest_size());
+  if (size < kSmall * std::min(patches_.a.extent(), patches_.b.extent()) && seen.gap > kExact) return true;
   are_one_ = are_one_ || seen.is_inside;
   find_borders(a, b);
   return true;
@@ -52,7 +54,7 @@ TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPar
   const double farthest = std::max(a.largest_size(), b.largest_size());
   const std::size_t rows = std::min(a.net.rows + 1, kMost);
   const std::size_t columns = std::min(a.net.columns + 1, kMost);
-  PartLook found{!beads_.empty(), true, false};
+  PartLook found{!beads_.empty(), true, false, 0.0};
   PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
@@ -60,13 +62,14 @@ TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPar
       const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
       at.a.at = {a.range[0].start + s * a.range[0].length(), a.range[1].start + t * a.range[1].length()};
       const std::optional<PatchSpots> foot = foot_near(patches_, at);
-      if (!foot) return {false, false, false};
+      if (!foot) return {false, false, false, 0.0};
       at.b = foot->b;
       PatchSpots inside = at;
       found.is_inside = found.is_inside || enters(inside);
       const PatchMeeting here = meeting_at(patches_, at);
       const double gap = glm::dot(here.b.offset, here.normal_a);
-      if (std::abs(gap) > farthest) return {false, false, false};
+      if (std::abs(gap) > farthest) return {false, false, false, 0.0};
+      found.gap = std::max(found.gap, std::abs(gap));
       found.is_near = found.is_near && std::abs(gap) <= tolerance_;
       found.is_explained = found.is_explained && is_explained(here.a.point, gap);
       if (!found.is_near && !found.is_explained) return found;

@@ -58,6 +58,7 @@ class TouchingCurves {
     bool is_explained;  ///< it parts from a curve that is known, as surfaces do that touch there
     bool is_near;       ///< it is within the tolerance
     bool is_inside;     ///< a place of it is in the second one, not only on how that goes on
+    double gap;         ///< how far it is from the second one at most
   };
 
   PartLook look(const PatchPart& a, const PatchPart& b) const;
