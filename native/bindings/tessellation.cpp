@@ -83,19 +83,22 @@ void bind_tessellation(py::module_& module) {
             return unlocked([&] { return Tessellation::make(set, u, v); });
           }), py::arg("patch_set"), py::arg("resolution"));
   cls.def_static("adaptive", [](const py::object& patch_set, const py::object& tolerance, const py::object& angle,
-                                const py::object& threads, const py::object& cancel) {
+                                const py::object& smallest, const py::object& threads, const py::object& cancel) {
                    require_callable(cancel);
                    const PatchSet& set = set_of(patch_set);
                    const int most = threads_of(threads);
                    const auto allowed = [](const py::object& value, const char* name) {
                      return value.is_none() ? HUGE_VAL : real(value, name);
                    };
-                   const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle")};
+                   const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle"),
+                                                       real(smallest, "smallest")};
                    return unlocked([&] { return Tessellation::adaptive(set, fineness, most); }, cancel);
                  }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
-                 py::arg("threads") = 0, py::arg("cancel") = py::none(),
+                 py::arg("smallest") = 0.0, py::arg("threads") = 0, py::arg("cancel") = py::none(),
                  "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
                  "length), normals on a face no more than angle (radians) apart; None for any. Flat parts get few faces.\n"
+                 "smallest: faces no longer than this length are not cut for the angle, which beside poles, in folds and\n"
+                 "round sharp bends asks for very many.\n"
                  "cancel: a callable, asked now and then, that returns true to end the call. threads: on how many, 0 for\n"
                  "all cores where that is worth it; the mesh is the same.\n"
                  "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"

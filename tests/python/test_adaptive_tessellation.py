@@ -75,6 +75,20 @@ def test_normals_on_a_face_turn_no_more_than_the_angle(name, angle):
         assert np.arccos(np.clip(cosines, -1, 1)).max() <= angle + 1e-3
 
 
+@pytest.mark.parametrize('smallest', (0.02, 0.1, 0.3))
+@pytest.mark.parametrize('name', ['sphere', 'torus', 'teapot', 'random 3'])
+def test_faces_turn_more_than_the_angle_only_where_they_are_no_longer_than_the_smallest(name, smallest):
+    patch_set, angle = SHAPES[name](), 0.1
+    mesh = sc.Tessellation.adaptive(patch_set, angle=angle, smallest=smallest)
+    positions, normals = mesh.evaluate(patch_set)
+    for corners in faces_of(mesh):
+        cosines = normals[corners].astype(float) @ normals[corners].astype(float).T
+        points = positions[mesh.corner_vertices[corners]]
+        longest = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).max()
+        assert np.arccos(np.clip(cosines, -1, 1)).max() <= angle + 1e-3 or longest <= smallest * (1 + 1e-5)
+    assert mesh.vertex_count <= sc.Tessellation.adaptive(patch_set, angle=angle).vertex_count
+
+
 @pytest.mark.parametrize('settings', ({'tolerance': 0.2}, {'tolerance': 0.01}, {'angle': 0.3}, {'tolerance': 5.0}))
 @pytest.mark.parametrize('name, free, euler', (('sphere', 0, 2), ('torus', 0, 0)))
 def test_closed_shapes_are_closed_and_have_their_genus(name, free, euler, settings):
@@ -172,7 +186,7 @@ def test_triangles_cover_the_parameters_of_every_patch():
 
 
 @pytest.mark.parametrize('settings, word', (
-    ({'tolerance': 0.0}, "above 0"), ({'tolerance': -1.0}, "above 0"), ({'angle': 0.0}, "above 0"),
+    ({'tolerance': 0.0}, "above 0"), ({'tolerance': -1.0}, "above 0"), ({'angle': 0.0}, "above 0"), ({'smallest': -1.0}, "below 0"),
     ({'tolerance': np.nan}, "finite"), ({'tolerance': 1e-12}, "more than 2\\^21")))
 def test_bad_numbers_are_refused_with_a_word(settings, word):
     with pytest.raises(sc.InvalidShape, match=word):

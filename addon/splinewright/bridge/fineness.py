@@ -10,8 +10,9 @@ from ..core.library import sc
 from . import settings
 from .settings import ANGLE, AUTOMATIC, BOTH, COUNT, TOLERANCE
 
-#: Automatic faces come as near to a surface as this part of its size, and normals turn by no more on a face, in radians.
-_SHARE, _TURN = 5e-4, math.radians(10.0)
+#: Automatic faces come as near to a surface as this part of its size, and normals turn by no more on a face, in radians, but where
+#: faces are this part of its size already: beside poles, in folds and round sharp bends.
+_SHARE, _TURN, _SMALLEST = 1e-3, math.radians(15.0), 1 / 200
 
 
 def of(data):
@@ -31,7 +32,8 @@ def tessellated(data, patch_set):
     if mode == COUNT:
         return sc.Tessellation(patch_set, (resolution_u, resolution_v))
     if mode == AUTOMATIC:
-        return sc.Tessellation.adaptive(patch_set, tolerance=_SHARE * _size(patch_set) or None, angle=_TURN)
+        size = _size(patch_set)
+        return sc.Tessellation.adaptive(patch_set, tolerance=_SHARE * size or None, angle=_TURN, smallest=_SMALLEST * size)
     return sc.Tessellation.adaptive(patch_set, tolerance=tolerance if mode in (TOLERANCE, BOTH) else None,
                                     angle=angle if mode in (ANGLE, BOTH) else None)
 

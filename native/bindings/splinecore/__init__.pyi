@@ -1560,6 +1560,7 @@ class Tessellation:
         *,
         tolerance: float | None = None,
         angle: float | None = None,
+        smallest: float = 0.0,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> Tessellation: ...

@@ -188,6 +188,7 @@ Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& finenes
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {
     throw InvalidShape("a tolerance of a mesh is not above 0");
   }
+  if (!(fineness.smallest >= 0.0)) throw InvalidShape("the smallest face of a mesh is below 0");
   MeshParts mesh(set);
   AdaptiveBuilder(set, fineness, threads, mesh).add_faces();
   place_vertices(set, mesh);

@@ -143,7 +143,8 @@ class Splitter {
     const Both needed{cell.u1 - cell.u0 > kSmallestTurn ? angles.u : 0.0,
                       cell.v1 - cell.v0 > kSmallestTurn ? angles.v : 0.0};
     if (angles.all <= fineness_.angle || std::max(needed.u, needed.v) <= 0.0) return std::nullopt;
-    return needed;
+    const double length = std::max(places_.lengths(Axis::u).second, places_.lengths(Axis::v).second);
+    return length > fineness_.smallest ? std::optional(needed) : std::nullopt;
   }
 
   /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.
@@ -210,6 +211,7 @@ PlacedPatch::PlacedPatch(const NurbsPatch& given, const Fineness& wanted) : patc
   const Placement placement = placement_for_cells(given);
   patch = placed(given, placement);
   fineness.distance = given_size(wanted.distance, -1, placement);
+  fineness.smallest = given_size(wanted.smallest, -1, placement);
   weight_exponent = weight_exponent_of(patch);
 }
 

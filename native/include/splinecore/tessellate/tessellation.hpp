@@ -16,6 +16,7 @@ struct Fineness {
   double distance;  ///< no point of the surface lies farther from the mesh; infinite for any
   double angle;     ///< radians, between normals at 3 x 3 places of each face, which is a 1024th of a span at least;
                     ///< infinite for any
+  double smallest = 0.0;  ///< faces no longer than this are not cut for their angle
 };
 
 /// The mesh of a patch set: everything but positions (lecture row S22).
@@ -37,7 +38,7 @@ class Tessellation {
   /// and numbers of faces. Quads, and triangles where cells of different sizes meet.
   /// The same in every bit whatever the threads.
   /// @param threads  at most, 0 for one a core where there is enough to do; none outlives the call
-  /// @throws InvalidShape if a number is not above 0, there would be more than 2^21 cells, or a patch runs to
+  /// @throws InvalidShape if a number is not above 0 (the smallest face: below 0), there would be more than 2^21 cells, or a patch runs to
   ///         infinity.
   static Tessellation adaptive(const PatchSet& set, const Fineness& fineness, int threads = 0);
 
