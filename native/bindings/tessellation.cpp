@@ -97,8 +97,8 @@ void bind_tessellation(py::module_& module) {
                  py::arg("smallest") = 0.0, py::arg("threads") = 0, py::arg("cancel") = py::none(),
                  "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
                  "length), normals on a face no more than angle (radians) apart; None for any. Flat parts get few faces.\n"
-                 "smallest: faces no longer than this length are not cut for the angle, which beside poles, in folds and\n"
-                 "round sharp bends asks for very many.\n"
+                 "smallest: faces are not cut for the angle across a direction in which they are shorter than this length:\n"
+                 "beside poles, in folds and round sharp bends there would be very many.\n"
                  "cancel: a callable, asked now and then, that returns true to end the call. threads: on how many, 0 for\n"
                  "all cores where that is worth it; the mesh is the same.\n"
                  "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"

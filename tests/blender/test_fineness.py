@@ -95,7 +95,7 @@ def test_a_setting_is_undone_and_kept_in_a_file(tmp_path):
 
 
 def test_what_would_be_too_fine_is_said_and_the_mesh_stays():
-    op(bpy.ops.splinewright.add_sphere)
+    op(bpy.ops.splinewright.add_sphere, faces_mode='COUNT')
     ob = bpy.context.object
     before = vertices(ob.data).copy()
     ob.data.splinewright.mode = 'TOLERANCE'
@@ -307,7 +307,7 @@ def camera_at(height, **settings):
 
 
 def test_a_pixel_is_as_long_as_the_camera_sees_it_where_the_shape_is_nearest():
-    op(bpy.ops.splinewright.add_sphere)
+    op(bpy.ops.splinewright.add_sphere, faces_mode='COUNT')
     ob = bpy.context.object
     camera_at(5.0)
     assert op(bpy.ops.splinewright.tolerance_from_render, pixels=0.5) == {'FINISHED'}
@@ -320,14 +320,14 @@ def test_a_pixel_is_as_long_as_the_camera_sees_it_where_the_shape_is_nearest():
 
 
 def test_a_camera_without_perspective_sees_every_place_alike():
-    op(bpy.ops.splinewright.add_sphere)
+    op(bpy.ops.splinewright.add_sphere, faces_mode='COUNT')
     camera_at(5.0, type='ORTHO', ortho_scale=10.0)
     op(bpy.ops.splinewright.tolerance_from_render, pixels=1.0)
     assert bpy.context.object.data.splinewright.tolerance == pytest.approx(0.1, rel=1e-4)
 
 
 def test_without_a_camera_or_behind_it_nothing_changes():
-    op(bpy.ops.splinewright.add_sphere)
+    op(bpy.ops.splinewright.add_sphere, faces_mode='COUNT')
     ob = bpy.context.object
     bpy.context.scene.camera = None
     with pytest.raises(RuntimeError, match="no camera"):
@@ -344,7 +344,7 @@ def set_scale(ob, scale):
 
 
 def test_what_no_tolerance_shows_is_said_and_the_settings_stay():
-    op(bpy.ops.splinewright.add_sphere)
+    op(bpy.ops.splinewright.add_sphere, faces_mode='COUNT')
     ob = bpy.context.object
     camera = camera_at(5.0)
     ob.data.splinewright.tolerance = 0.5

@@ -294,6 +294,7 @@ def test_what_a_surface_cannot_have_is_dropped_with_a_word():
 def test_every_kind_of_shape_becomes_blenders_own_and_comes_back_as_the_same_shape(add):
     getattr(bpy.ops.splinewright, add)()
     ob = bpy.context.object
+    ob.data.splinewright.mode = 'COUNT'
     before = drawn(ob)
     native(ob)
     assert ob.type in ('CURVE', 'SURFACE') and ob.data.splines[0].type in ('NURBS', 'BEZIER')

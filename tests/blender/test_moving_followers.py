@@ -39,7 +39,9 @@ def made(operator, *inputs, **settings):
 
 def loft():
     rings = [ring(height, radius) for height, radius in ((0.0, 1.0), (1.0, 0.6), (2.5, 1.3))]
-    return made('add_loft', *rings), rings
+    ob = made('add_loft', *rings)
+    ob.data.splinewright.mode = 'COUNT'
+    return ob, rings
 
 
 def seen(ob):

@@ -7,7 +7,7 @@ from support import corner_normals, part, splinecore as sc, vertices
 
 @pytest.fixture
 def teapot():
-    bpy.ops.splinewright.add_teapot()
+    bpy.ops.splinewright.add_teapot(faces_mode='COUNT')
     return bpy.context.object
 
 

@@ -100,7 +100,7 @@ def test_a_definition_of_another_length_replaces_the_one_before(longer):
 
 
 def test_resolution_evaluates_again_and_keeps_the_definition():
-    bpy.ops.splinewright.add_nurbs_patch()
+    bpy.ops.splinewright.add_nurbs_patch(faces_mode='COUNT')
     mesh = bpy.context.object.data
     value = mesh.splinewright.value
     mesh.splinewright.resolution_u = 3

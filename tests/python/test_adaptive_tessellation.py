@@ -77,16 +77,29 @@ def test_normals_on_a_face_turn_no_more_than_the_angle(name, angle):
 
 @pytest.mark.parametrize('smallest', (0.02, 0.1, 0.3))
 @pytest.mark.parametrize('name', ['sphere', 'torus', 'teapot', 'random 3'])
-def test_faces_turn_more_than_the_angle_only_where_they_are_no_longer_than_the_smallest(name, smallest):
+def test_sides_turn_more_than_the_angle_only_where_they_are_no_longer_than_the_smallest(name, smallest):
+    """A face beside smaller ones has diagonals of its cell for sides, too."""
     patch_set, angle = SHAPES[name](), 0.1
     mesh = sc.Tessellation.adaptive(patch_set, angle=angle, smallest=smallest)
     positions, normals = mesh.evaluate(patch_set)
-    for corners in faces_of(mesh):
-        cosines = normals[corners].astype(float) @ normals[corners].astype(float).T
-        points = positions[mesh.corner_vertices[corners]]
-        longest = np.linalg.norm(points - np.roll(points, 1, axis=0), axis=1).max()
-        assert np.arccos(np.clip(cosines, -1, 1)).max() <= angle + 1e-3 or longest <= smallest * (1 + 1e-5)
-    assert mesh.vertex_count <= sc.Tessellation.adaptive(patch_set, angle=angle).vertex_count
+    for corners in (corners for corners in faces_of(mesh) if len(corners) == 4):
+        after = np.roll(corners, -1)
+        cosines = np.einsum('ij,ij->i', normals[corners].astype(float), normals[after].astype(float))
+        lengths = np.linalg.norm(positions[mesh.corner_vertices[corners]] - positions[mesh.corner_vertices[after]], axis=1)
+        assert ((np.arccos(np.clip(cosines, -1, 1)) <= angle + 1e-3) | (lengths <= 1.5 * smallest)).all()
+    whole = sc.Tessellation.adaptive(patch_set, angle=angle).vertex_count
+    assert mesh.vertex_count < 0.3 * whole if smallest == 0.3 else mesh.vertex_count <= whole
+
+
+@pytest.mark.parametrize('radius', (0.02, 0.3, 1.0, 3.0))
+def test_pipes_that_fold_have_as_many_faces_as_the_smallest_allows(radius):
+    """In the folds normals turn at once: by angle alone there would be millions."""
+    axis = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3],
+                         [(-1.5, 0, 0), (-1, 1, 0.3), (-0.3, -1, 0), (0.4, 1, 0.5), (1, -1, 0), (1.5, 0.3, 0)])
+    patch_set = set_of(*sc.build.pipe(axis, radius).value)
+    size = np.linalg.norm(np.ptp(patch_set.points, axis=0))
+    mesh = sc.Tessellation.adaptive(patch_set, tolerance=1e-3 * size, angle=np.radians(15), smallest=size / 200)
+    assert mesh.vertex_count < 60_000
 
 
 @pytest.mark.parametrize('settings', ({'tolerance': 0.2}, {'tolerance': 0.01}, {'angle': 0.3}, {'tolerance': 5.0}))
@@ -214,3 +227,14 @@ def test_a_surface_that_folds_over_is_not_refined_without_end():
     mesh = sc.Tessellation.adaptive(set_of(tip), angle=0.5)
     assert 100 < len(mesh.face_starts) < 2**20
     assert counts_of(mesh)[1:] == (0, 0)
+
+
+@pytest.mark.parametrize('rows', (1, 2, 3))
+def test_poles_of_several_rows_have_few_faces(rows):
+    """Lines to such a pole are straight, and slow at its end: they are no reason for a cut."""
+    fan = np.array([(np.cos(t), np.sin(t), 0.1) for t in np.linspace(0, np.pi / 2, 4)])
+    net = np.array([s * fan for s in np.r_[np.zeros(rows), np.linspace(0, 1, 5 - rows)[1:]]])
+    patch_set = set_of(sc.BezierPatch(net))
+    mesh = sc.Tessellation.adaptive(patch_set, tolerance=1e-3)
+    assert largest_distance(mesh, patch_set, mesh.evaluate(patch_set)[0]) <= 1e-3 * (1 + 1e-4)
+    assert mesh.vertex_count < 300

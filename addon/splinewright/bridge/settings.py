@@ -113,7 +113,7 @@ def _changed(self, context):
         self.changed(context)
 
 
-def mode_property(**more):
+def mode_property(default=COUNT, **more):
     return EnumProperty(
         name="Faces", description="How many faces show the surface",
         items=((COUNT, "By Count", "So many in every span"),
@@ -122,7 +122,7 @@ def mode_property(**more):
                (BOTH, "By Both", "As many as tolerance and angle take together"),
                (AUTOMATIC, "Automatic", "As many as it takes to look smooth as a whole: by a tolerance that suits its size, and by "
                 "angle")),
-        default=COUNT, **more)
+        default=default, **more)
 
 
 def tolerance_property(**more):

@@ -58,7 +58,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
         default=True, update=_redraw_status_bar)
 
     curve_resolution: _steps("Resolution of Curves", "a new curve")
-    surface_mode: settings.mode_property()
+    surface_mode: settings.mode_property(default=settings.AUTOMATIC)
     surface_resolution: _steps("Resolution of Surfaces", "a new surface along u and v")
     surface_tolerance: settings.tolerance_property()
     surface_angle: settings.angle_property()

@@ -32,5 +32,15 @@ inline double distance_of(const glm::dvec3& from, const glm::dvec3& to) noexcept
   return distance <= std::numeric_limits<double>::max() ? distance : 2.0 * length_of(0.5 * to - 0.5 * from);
 }
 
+inline double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) noexcept {
+  const glm::dvec3 way = to - from;
+  const double length = length_of(way);
+  if (length == 0.0) return length_of(point - from);
+  const glm::dvec3 along = way / length;
+  const glm::dvec3 offset = point - from;
+  const double place = std::clamp(offset.x * along.x + offset.y * along.y + offset.z * along.z, 0.0, length);
+  return length_of(offset - place * along);
+}
+
 }  // namespace splinecore
 #pragma GCC visibility pop

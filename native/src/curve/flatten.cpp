@@ -21,16 +21,6 @@ using Piece = BernsteinNet<glm::dvec4>;
 constexpr std::size_t kMaxPoints = 1 << 18;
 constexpr int kMaxHalvings = 60;
 
-
-double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to) {
-  const glm::dvec3 way = to - from;
-  const double length = length_of(way);
-  if (length == 0.0) return length_of(point - from);
-  const glm::dvec3 along = way / length;
-  const double place = std::clamp(glm::dot(point - from, along), 0.0, length);
-  return length_of(point - from - place * along);
-}
-
 bool is_flat(const Piece& piece, double tolerance) {
   const auto& points = piece.values;
   if (!has_one_sign(points, &glm::dvec4::w)) return false;

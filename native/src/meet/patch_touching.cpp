@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/length.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
@@ -14,13 +15,6 @@ namespace {
 
 /// Beads of a step of a curve.
 constexpr int kBeads = 32;
-
-double distance_to_segment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-  const glm::dvec3 chord = b - a;
-  const double square = glm::dot(chord, chord);
-  const double s = square > 0.0 ? std::clamp(glm::dot(p - a, chord) / square, 0.0, 1.0) : 0.0;
-  return glm::distance(p, a + s * chord);
-}
 
 /// Where normals are parallel places have half the digits: on a side of a piece they may be off it by that.
 bool enters_nearly(PatchSpots& at) {

@@ -140,11 +140,14 @@ class Splitter {
   std::optional<Both> by_angle(const MeshCell& cell) {
     if (fineness_.angle == HUGE_VAL) return std::nullopt;
     const NormalAngles angles = places_.normal_angles();
-    const Both needed{cell.u1 - cell.u0 > kSmallestTurn ? angles.u : 0.0,
-                      cell.v1 - cell.v0 > kSmallestTurn ? angles.v : 0.0};
-    if (angles.all <= fineness_.angle || std::max(needed.u, needed.v) <= 0.0) return std::nullopt;
-    const double length = std::max(places_.lengths(Axis::u).second, places_.lengths(Axis::v).second);
-    return length > fineness_.smallest ? std::optional(needed) : std::nullopt;
+    if (angles.all <= fineness_.angle) return std::nullopt;
+    // No two normals are farther apart than along u and then along v: one of the two is half of the angle at least.
+    const auto part = [&](Axis axis, double angle, Place width) {
+      const bool counts = angle > 0.5 * fineness_.angle && width > kSmallestTurn;
+      return counts && !(places_.longest(axis) < fineness_.smallest) ? angle : 0.0;
+    };
+    const Both needed{part(Axis::u, angles.u, cell.u1 - cell.u0), part(Axis::v, angles.v, cell.v1 - cell.v0)};
+    return std::max(needed.u, needed.v) > 0.0 ? std::optional(needed) : std::nullopt;
   }
 
   /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/angle.hpp"
+#include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "splinecore/basis/samples.hpp"
 
@@ -229,23 +230,22 @@ double NinePlaces::largest_sine() {
   return glm::dot(a, b) > 0.0 ? glm::length(glm::cross(a, b)) : 1.0;
 }
 
-std::pair<double, double> NinePlaces::lengths(Axis axis) {
-  const std::array<glm::dvec3, 9>& all = points();
-  const auto along = [&](int line) {
-    const glm::dvec3& middle = all[place_on(axis, line, 1)];
-    return glm::length(middle - all[place_on(axis, line, 0)]) + glm::length(all[place_on(axis, line, 2)] - middle);
-  };
-  return std::minmax({along(0), along(2)});
+double NinePlaces::length(Axis axis, int line) {
+  const auto at = [&](int k) { return points()[place_on(axis, line, k)]; };
+  return glm::length(at(1) - at(0)) + glm::length(at(2) - at(1));
 }
 
+std::pair<double, double> NinePlaces::lengths(Axis axis) { return std::minmax({length(axis, 0), length(axis, 2)}); }
+
+double NinePlaces::longest(Axis axis) { return std::max({length(axis, 0), length(axis, 1), length(axis, 2)}); }
+
 double NinePlaces::sagitta(Axis axis) {
-  const std::array<glm::dvec3, 9>& all = points();
   double found = 0.0;
   for (int line = 0; line < 3; ++line) {
-    const auto at = [&](int k) { return all[place_on(axis, line, k)]; };
-    found = std::max(found, size_of(at(1) - 0.5 * (at(0) + at(2))));
+    const auto at = [&](int k) { return points()[place_on(axis, line, k)]; };
+    found = std::max(found, distance_to_segment(at(1), at(0), at(2)));
   }
-  return std::sqrt(found);
+  return found;
 }
 
 }  // namespace splinecore

@@ -44,7 +44,9 @@ class NinePlaces {
 
   /// The shorter and the longer of the two sides along a direction, by way of their middles.
   std::pair<double, double> lengths(Axis axis);
-  /// How far the middle of a line along a direction lies from that of its chord, at most.
+  /// Of the three lines along a direction.
+  double longest(Axis axis);
+  /// How far the middle of a line along a direction lies from its chord, at most.
   double sagitta(Axis axis);
 
  private:
@@ -58,6 +60,7 @@ class NinePlaces {
     Pair u, v, all;
   };
 
+  double length(Axis axis, int line);
   void blend_values();
   void blend_slopes();
   const std::array<glm::dvec3, 9>& points();

@@ -16,7 +16,7 @@ struct Fineness {
   double distance;  ///< no point of the surface lies farther from the mesh; infinite for any
   double angle;     ///< radians, between normals at 3 x 3 places of each face, which is a 1024th of a span at least;
                     ///< infinite for any
-  double smallest = 0.0;  ///< faces no longer than this are not cut for their angle
+  double smallest = 0.0;  ///< faces are not cut for their angle across a direction in which they are shorter
 };
 
 /// The mesh of a patch set: everything but positions (lecture row S22).
@@ -38,8 +38,8 @@ class Tessellation {
   /// and numbers of faces. Quads, and triangles where cells of different sizes meet.
   /// The same in every bit whatever the threads.
   /// @param threads  at most, 0 for one a core where there is enough to do; none outlives the call
-  /// @throws InvalidShape if a number is not above 0 (the smallest face: below 0), there would be more than 2^21 cells, or a patch runs to
-  ///         infinity.
+  /// @throws InvalidShape if a number is not above 0 (the smallest: is below 0), there would be more than 2^21 cells,
+  ///         or a patch runs to infinity.
   static Tessellation adaptive(const PatchSet& set, const Fineness& fineness, int threads = 0);
 
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
