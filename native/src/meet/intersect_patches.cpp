@@ -7,8 +7,10 @@
 #include "base/length.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
+#include "operand_order.hpp"
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
+#include "patch_match.hpp"
 #include "patch_pairs.hpp"
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
@@ -31,22 +33,34 @@ double section_tolerance(const NearSpace& space, std::optional<double> tolerance
 /// So many tolerances from where patches touch a place is told from it.
 constexpr double kTolerancesOfTouch = 16.0;
 
+Sections exchanged(Sections found) {
+  for (SectionCurve& curve : found.curves) std::swap(curve.on_a, curve.on_b);
+  for (SectionPoint& point : found.points) std::swap(point.a, point.b);
+  return found;
+}
+
 /// Two patches in a space of their own, and the tolerance there.
 class SectionSearch {
  public:
   SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
-      : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_),
-        tolerance_(section_tolerance(space_, tolerance)), touching_({a_, b_}, tolerance_),
-        crossing_({a_, b_}, tolerance_) {}
+      : space_(NearSpace(together(a.points(), b.points())).of_size_one()), a_(a, space_), b_(b, space_),
+        tolerance_(section_tolerance(space_, tolerance)), match_(PatchMatch::of({a_, b_}, tolerance_)),
+        touching_({a_, b_}, tolerance_), crossing_({a_, b_}, tolerance_) {}
 
   Sections found() {
     constexpr double kRounding = 0x1p-48;
     constexpr double kSmallest = 0x1p-26;
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
+    const IsPairKnown is_matched = [&](const PatchPart& a, const PatchPart& b) {
+      return match_ && match_->explains(a, b);
+    };
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
     const double rounding = kRounding + 2.0 * space_.rounding();
-    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_known);
+    if (match_) {
+      for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
+    }
+    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_matched, is_known);
     touching_.follow_borders();
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
@@ -57,7 +71,7 @@ class SectionSearch {
     const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
     const std::vector<SectionTrace> crossing = joined_traces(patches(), crossing_.traces(), is_end, tolerance_);
     Sections found;
-    found.are_one = touching_.are_one();
+    found.are_one = match_ || touching_.are_one();
     put(crossing, SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
@@ -203,6 +217,7 @@ class SectionSearch {
 
   /// A place that is all that the patches have in common there, if no curve goes by.
   void add_lonely(const SectionTouch& touch, Sections& found) {
+    if (match_ && match_->holds(touch.at)) return;
     const auto is_here = [&](const SectionPlace& place) {
       return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
     };
@@ -223,6 +238,7 @@ class SectionSearch {
   PatchPieces a_;
   PatchPieces b_;
   double tolerance_;
+  std::optional<PatchMatch> match_;
   TouchingCurves touching_;
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
@@ -234,6 +250,7 @@ class SectionSearch {
 }  // namespace
 
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance) {
+  if (are_exchanged(a, b)) return exchanged(SectionSearch(b, a, tolerance).found());
   return SectionSearch(a, b, tolerance).found();
 }
 

@@ -24,9 +24,10 @@ constexpr std::size_t kMostCrossing = std::size_t{1} << 18;
 
 class PatchPairSearch {
  public:
-  PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known)
+  PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                  const IsPairKnown& is_known)
       : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance),
-        is_known_(is_known) {}
+        is_matched_(is_matched), is_known_(is_known) {}
 
   PatchPairFindings found() {
     for_near_pairs(patches_.a.tree(), patches_.b.tree(), slack_, [&](std::size_t i, std::size_t j) {
@@ -47,6 +48,7 @@ class PatchPairSearch {
     if (work_ > kMostWork) refuse_degree(std::max(a.net.values.size(), b.net.values.size()));
     if (are_apart(a, b, slack_)) return;
     if (is_lost(a) || is_lost(b)) refuse();
+    if (is_matched_(a, b)) return;
     if (const auto crossing = crossing_part(a, b, slack_)) return add(*crossing);
     const std::optional<HeightDifference> difference = height_difference(a, b, slack_);
     if (difference && difference->are_apart(slack_)) return;
@@ -110,6 +112,7 @@ class PatchPairSearch {
   double smallest_;
   double slack_;
   double tolerance_;
+  const IsPairKnown& is_matched_;
   const IsPairKnown& is_known_;
   std::size_t pairs_ = 0;
   std::size_t work_ = 0;
@@ -118,8 +121,9 @@ class PatchPairSearch {
 
 }  // namespace
 
-PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known) {
-  return PatchPairSearch(patches, limits, is_known).found();
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                             const IsPairKnown& is_known) {
+  return PatchPairSearch(patches, limits, is_matched, is_known).found();
 }
 
 }  // namespace splinecore

@@ -40,9 +40,11 @@ struct PairLimits {
   double tolerance;    ///< surfaces that nowhere part by more are one
 };
 
+/// @param is_matched  asked of all pairs that are not apart
 /// @param is_known  asked of parts whose normals do not differ
 /// @throws InvalidShape after too many pairs.
-PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known);
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                             const IsPairKnown& is_known);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

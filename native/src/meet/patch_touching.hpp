@@ -37,6 +37,9 @@ class TouchingCurves {
   /// surfaces do that touch once, or they are one.
   bool knows(const PatchPart& a, const PatchPart& b);
 
+  /// Takes a border of what is known to be one.
+  void add_border(SectionTrace trace);
+
   /// Where a border leaves the other patch, the border of that goes on: after all parts are asked about.
   void follow_borders();
 
@@ -73,7 +76,6 @@ class TouchingCurves {
   double near_border() const;
   std::vector<OnFace> borders_at(const PatchSpots& at) const;
   bool is_new(const SectionTrace& trace) const;
-  void add_border(SectionTrace trace);
 
   TwoPatches patches_;
   double tolerance_;
