@@ -9,6 +9,7 @@
 #include "matched_borders.hpp"
 #include "matched_nets.hpp"
 #include "one_sheet.hpp"
+#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -19,13 +20,27 @@ Interval local(const Interval& range, const Interval& span) {
           std::clamp((range.end - span.start) / span.length(), 0.0, 1.0)};
 }
 
-bool is_inside(const Interval& range, const Interval& whole) {
-  constexpr double kRounding = 0x1p-40;
-  const double slack = kRounding * whole.length();
+bool is_inside(const Interval& range, const Interval& whole, double share = 0x1p-40) {
+  const double slack = share * whole.length();
   return range.start >= whole.start - slack && range.end <= whole.end + slack;
 }
 
 Interval hull(const Interval& a, const Interval& b) { return {std::min(a.start, b.start), std::max(a.end, b.end)}; }
+
+PatchSpots matched_spots(const TwoPatches& patches, bool is_exchanged, const std::array<MatchedSpan, 2>& spans,
+                         const std::array<double, 2>& shares) {
+  PatchSpots at{};
+  const std::array<std::size_t, 2> own{is_exchanged ? std::size_t{1} : 0, is_exchanged ? std::size_t{0} : 1};
+  std::array<std::size_t, 2> in_b{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    at.a.at[k] = std::lerp(spans[k].a.start, spans[k].a.end, shares[k]);
+    at.b.at[own[k]] = spans[k].b_at(shares[k]);
+    in_b[own[k]] = spans[k].span_b;
+  }
+  at.a.piece = spans[0].span_a * patches.a.knots(Axis::v).spans().size() + spans[1].span_a;
+  at.b.piece = in_b[0] * patches.b.knots(Axis::v).spans().size() + in_b[1];
+  return at;
+}
 
 std::array<Interval, 2> parameters_of(const PatchPieces& patch, const PatchPart& part) {
   const auto start = patch.parameters({part.piece, {part.range[0].start, part.range[1].start}});
@@ -77,6 +92,24 @@ bool PatchMatch::is_near_all_over() const {
     }
   }
   return true;
+}
+
+double PatchMatch::largest_gap() const {
+  constexpr int kLooks = 7;
+  const std::array<std::vector<MatchedSpan>, 2> spans{spans_along(0), spans_along(1)};
+  double most = 0.0;
+  for (const MatchedSpan& u : spans[0]) {
+    for (const MatchedSpan& v : spans[1]) {
+      for (int i = 0; i < kLooks * kLooks; ++i) {
+        breathe(256);
+        const PatchSpots at = matched_spots(patches_, is_exchanged(), {u, v}, {(i / kLooks) / (kLooks - 1.0),
+                                                                               (i % kLooks) / (kLooks - 1.0)});
+        const PatchMeeting here = meeting_at(patches_, at);
+        most = std::max(most, std::abs(glm::dot(here.b.offset, here.normal_a)));
+      }
+    }
+  }
+  return most;
 }
 
 std::vector<MatchedSpan> PatchMatch::spans_along(std::size_t k) const {
@@ -149,14 +182,27 @@ bool PatchMatch::explains(const PatchPart& a, const PatchPart& b) const {
   return is_in_b[0] && is_in_b[1] && is_one_sheet(patches_.b, in_b);
 }
 
-bool PatchMatch::holds(const PatchSpots& at) const {
+bool PatchMatch::is_within(const PatchSpots& at, double slack) const {
   const std::array<double, 2> a = patches_.a.parameters(at.a);
   const std::array<double, 2> b = patches_.b.parameters(at.b);
   for (std::size_t k = 0; k < 2; ++k) {
     const double back = axes_[k].back(b[axes_[k].axis == Axis::u ? 0 : 1]);
-    if (!is_inside({a[k], a[k]}, axes_[k].from) || !is_inside({back, back}, axes_[k].from)) return false;
+    if (!is_inside({a[k], a[k]}, axes_[k].from, slack) || !is_inside({back, back}, axes_[k].from, slack)) return false;
   }
   return true;
+}
+
+bool PatchMatch::joins(const PatchSpots& at) const {
+  constexpr double kNear = 0x1p-8;
+  const std::array<double, 2> a = patches_.a.parameters(at.a);
+  const std::array<double, 2> b = patches_.b.parameters(at.b);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double turn = axes_[k].from.length();
+    double off = (axes_[k].back(b[axes_[k].axis == Axis::u ? 0 : 1]) - a[k]) / turn;
+    if (goes_on_over_end(k)) off -= std::round(off);
+    if (std::abs(off) > kNear) return false;
+  }
+  return is_about(at);
 }
 
 std::vector<SectionTrace> PatchMatch::borders() const {

@@ -51,8 +51,17 @@ class PatchMatch {
   /// nowhere turns over.
   bool explains(const PatchPart& a, const PatchPart& b) const;
 
+  /// How far the patches part across, as far as places all over tell.
+  double largest_gap() const;
+
   /// Whether both places are in what is one.
-  bool holds(const PatchSpots& at) const;
+  bool holds(const PatchSpots& at) const { return is_within(at, 0x1p-40); }
+
+  /// The same, or but a little beyond it.
+  bool is_about(const PatchSpots& at) const { return is_within(at, 0x1p-10); }
+
+  /// Whether the places match, nearly.
+  bool joins(const PatchSpots& at) const;
 
   /// The sides of what is one beyond which one of the patches does not go on.
   std::vector<SectionTrace> borders() const;
@@ -61,6 +70,7 @@ class PatchMatch {
   PatchMatch(const TwoPatches& patches, const std::array<AxisMatch, 2>& axes, double tolerance)
       : patches_(patches), axes_(axes), tolerance_(tolerance) {}
 
+  bool is_within(const PatchSpots& at, double slack) const;
   bool is_near_at_places() const;
   bool is_near_all_over() const;
   bool is_exchanged() const noexcept { return axes_[0].axis == Axis::v; }

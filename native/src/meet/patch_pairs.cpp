@@ -16,7 +16,7 @@ namespace {
 /// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved: they are proved to
 /// be outside, or refused.
 constexpr double kNarrowAtInfinity = 0x1p-10;
-constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+constexpr std::size_t kMostPairs = std::size_t{3} << 17;
 constexpr std::size_t kPointsOfLowDegree = 64;
 constexpr std::size_t kMostWork = std::size_t{1} << 25;  ///< control points of all pairs together
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
@@ -26,7 +26,7 @@ class PatchPairSearch {
  public:
   PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
                   const IsPairKnown& is_known)
-      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance),
+      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance), gap_(limits.gap_of_copies),
         is_matched_(is_matched), is_known_(is_known) {}
 
   PatchPairFindings found() {
@@ -105,6 +105,10 @@ class PatchPairSearch {
     if (is_unbounded(patches_.a) || is_unbounded(patches_.b)) {
       throw InvalidShape("a shape has weights of both signs and may run through infinity where the other one is" + pairs);
     }
+    if (!gap_.empty()) {
+      throw InvalidShape("the shapes are nearly copies of each other, which part by " + gap_ +
+                         " at most: a tolerance above that takes them as one; where they cross is not told" + pairs);
+    }
     throw InvalidShape("the shapes nearly touch along a curve, or are nearly one in a part" + pairs);
   }
 
@@ -112,6 +116,7 @@ class PatchPairSearch {
   double smallest_;
   double slack_;
   double tolerance_;
+  std::string gap_;
   const IsPairKnown& is_matched_;
   const IsPairKnown& is_known_;
   std::size_t pairs_ = 0;
