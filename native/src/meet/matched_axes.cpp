@@ -31,23 +31,34 @@ void add_whole(const TwoPatches& patches, std::vector<AxisMatches>& found) {
   }
 }
 
-/// The place of a patch where it is nearest to a point, as far as looks all over it tell.
+/// The place of a patch where it is nearest to a point, as far as the nearest of looks all over it lead there.
 PatchSpot nearest_spot(const PatchPieces& patch, const glm::dvec3& point) {
   constexpr std::array<double, 3> kLooks{0.125, 0.5, 0.875};
-  PatchSpot best{0, {0.5, 0.5}};
-  double least = std::numeric_limits<double>::infinity();
+  constexpr std::size_t kMost = 6;
+  const auto distance = [&](const PatchSpot& spot) { return glm::length(patch.at(spot, point).offset); };
+  std::vector<std::pair<double, PatchSpot>> starts;
   for (std::size_t i = 0; i < patch.size(); ++i) {
     breathe(512);
+    std::pair<double, PatchSpot> best{std::numeric_limits<double>::infinity(), {i, {0.5, 0.5}}};
     for (const double u : kLooks) {
       for (const double v : kLooks) {
-        const double far = glm::length(patch.at({i, {u, v}}, point).offset);
-        if (far >= least) continue;
-        least = far;
-        best = {i, {u, v}};
+        const PatchSpot spot{i, {u, v}};
+        const double far = distance(spot);
+        if (far < best.first) best = {far, spot};
       }
     }
+    starts.push_back(best);
   }
-  return patch_foot(patch, best, point);
+  const std::size_t count = std::min(kMost, starts.size());
+  std::ranges::partial_sort(starts, starts.begin() + static_cast<std::ptrdiff_t>(count), {},
+                            [](const auto& start) { return start.first; });
+  std::pair<double, PatchSpot> best{std::numeric_limits<double>::infinity(), starts.front().second};
+  for (std::size_t i = 0; i < count; ++i) {
+    const PatchSpot foot = patch_foot(patch, starts[i].second, point);
+    const double far = distance(foot);
+    if (far < best.first) best = {far, foot};
+  }
+  return best.second;
 }
 
 double snapped(double t, const Interval& domain) {
