@@ -24,7 +24,7 @@ void BranchSearch::explore(const CrossingPart& part) {
                        " pairs of parts are neither apart nor on a curve that was found");
   }
   if (are_apart(part.a, part.b, slack_) || are_edges_apart(part.a, part.b, slack_)) return;
-  if (are_heights_apart(part)) return;
+  if (is_known_pair(part.a, part.b) || are_heights_apart(part)) return;
   const std::vector<Interval> gaps = traced_.gaps(part);
   if (gaps.size() == 1 && gaps.front() == part.range(part.lead)) return search(part);
   for (const Interval& gap : gaps) explore(within(part, part.lead, gap));
@@ -63,7 +63,8 @@ bool BranchSearch::is_known_all_along(const CrossingPart& part) const {
   const Interval& range = part.range(part.lead);
   for (int i = 0; i <= kLooks; ++i) {
     const auto place = place_near_part(part, range.start + range.length() * i / kLooks);
-    if (place && part.holds(parameters_of(place->at)) && !traced_.holds(*place)) return false;
+    if (!place || !part.holds(parameters_of(place->at)) || is_known_place(place->at)) continue;
+    if (!traced_.holds(*place)) return false;
   }
   return true;
 }

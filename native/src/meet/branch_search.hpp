@@ -30,6 +30,10 @@ class BranchSearch {
   /// Called with places where patches are within the smallest size, which no curve goes through that is known by then.
   std::function<void(const PatchSpots&)> on_contact;
 
+  /// Whether all that parts may have in common is known, or all about a place, beside what curves tell.
+  std::function<bool(const PatchPart&, const PatchPart&)> is_known_pair;
+  std::function<bool(const PatchSpots&)> is_known_place;
+
   void explore(const CrossingPart& part);
 
  private:

@@ -1,18 +1,22 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/length.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
+#include "operand_order.hpp"
 #include "patch/tolerance.hpp"
 #include "patch_march.hpp"
+#include "patch_match.hpp"
 #include "patch_pairs.hpp"
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
+#include "splinecore/base/errors.hpp"
 #include "splinecore/meet/sections.hpp"
 #include "traced_steps.hpp"
 
@@ -31,33 +35,49 @@ double section_tolerance(const NearSpace& space, std::optional<double> tolerance
 /// So many tolerances from where patches touch a place is told from it.
 constexpr double kTolerancesOfTouch = 16.0;
 
+Sections exchanged(Sections found) {
+  for (SectionCurve& curve : found.curves) std::swap(curve.on_a, curve.on_b);
+  for (SectionPoint& point : found.points) std::swap(point.a, point.b);
+  return found;
+}
+
 /// Two patches in a space of their own, and the tolerance there.
 class SectionSearch {
  public:
   SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
-      : space_(together(a.points(), b.points())), a_(a, space_), b_(b, space_),
-        tolerance_(section_tolerance(space_, tolerance)), touching_({a_, b_}, tolerance_),
-        crossing_({a_, b_}, tolerance_) {}
+      : space_(NearSpace(together(a.points(), b.points())).of_size_one()), a_(a, space_), b_(b, space_),
+        tolerance_(section_tolerance(space_, tolerance)), match_(found_match()),
+        touching_({a_, b_}, tolerance_), crossing_({a_, b_}, tolerance_) {}
 
   Sections found() {
     constexpr double kRounding = 0x1p-48;
     constexpr double kSmallest = 0x1p-26;
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
+    const IsPairKnown is_matched = [&](const PatchPart& a, const PatchPart& b) {
+      return match_ && match_->explains(a, b);
+    };
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
     const double rounding = kRounding + 2.0 * space_.rounding();
-    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_}, is_known);
+    if (match_) {
+      touching_.is_known_place = [&](const PatchSpots& at) { return match_->is_about(at); };
+      for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
+    }
+    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
+                                                 is_known);
     touching_.follow_borders();
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
     BranchSearch search(patches(), crossing_, smallest, rounding);
     search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
+    search.is_known_pair = is_matched;
+    search.is_known_place = [&](const PatchSpots& at) { return match_ && match_->joins(at); };
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
     for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
     const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
     const std::vector<SectionTrace> crossing = joined_traces(patches(), crossing_.traces(), is_end, tolerance_);
     Sections found;
-    found.are_one = touching_.are_one();
+    found.are_one = match_ || (touching_.are_one() && (gap_of_copies_.empty() || !touching_.borders().empty()));
     put(crossing, SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
@@ -74,6 +94,21 @@ class SectionSearch {
  private:
   TwoPatches patches() const { return {a_, b_}; }
 
+  /// What is one by parameters that match. Copies that part a little farther than the tolerance are looked at by a smaller one,
+  /// of which where they cross they part plainly.
+  std::optional<PatchMatch> found_match() {
+    constexpr double kPlainly = 128.0;
+    constexpr double kRounding = 0x1p-36;
+    if (auto match = PatchMatch::of(patches(), tolerance_)) return match;
+    auto nearly = PatchMatch::of(patches(), kPlainly * tolerance_);
+    if (!nearly) return {};
+    const double gap = nearly->largest_gap();
+    if (gap <= tolerance_) return nearly;
+    tolerance_ = std::max(gap / kPlainly, kRounding + 4.0 * space_.rounding());
+    gap_of_copies_ = text_of(space_.length(gap));
+    return {};
+  }
+
   static double length_of(const SectionTrace& trace) {
     double length = 0.0;
     for (std::size_t i = 1; i < trace.places.size(); ++i) {
@@ -86,17 +121,25 @@ class SectionSearch {
 
   void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
     for (const SectionTrace& trace : traces) {
-      if (is_point(trace)) continue;
+      if (is_point(trace) || (kind == SectionKind::touching && is_in_match(trace))) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
     }
   }
 
+  /// Whether all of it is in what is one, where creases and poles look like curves of touch.
+  bool is_in_match(const SectionTrace& trace) const {
+    return match_ && std::ranges::all_of(trace.places, [&](const SectionPlace& place) { return match_->holds(place.at); });
+  }
+
   SeedFate trace(const SectionPlace& seed) {
     if (touching_.is_near(seed.point, 4.0 * tolerance_) || touching_.runs_by(seed)) return SeedFate::known;
-    if (is_near_touch(seed)) return SeedFate::known;
+    if (is_near_touch(seed) || (match_ && match_->joins(seed.at))) return SeedFate::known;
     const auto is_known = [&](const SectionPlace& place) { return crossing_.holds_along(place); };
-    crossing_.add(traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known}));
+    SectionTrace found = traced(patches(), seed, {{}, touches_, 0.5 * tolerance_, is_known});
+    found = crossing_.without_known_ends(std::move(found));
+    if (found.places.empty()) return SeedFate::known;
+    crossing_.add(std::move(found));
     return SeedFate::traced;
   }
 
@@ -203,6 +246,7 @@ class SectionSearch {
 
   /// A place that is all that the patches have in common there, if no curve goes by.
   void add_lonely(const SectionTouch& touch, Sections& found) {
+    if (match_ && match_->holds(touch.at)) return;
     const auto is_here = [&](const SectionPlace& place) {
       return glm::distance(place.point, touch.point) <= 4.0 * tolerance_;
     };
@@ -223,6 +267,8 @@ class SectionSearch {
   PatchPieces a_;
   PatchPieces b_;
   double tolerance_;
+  std::string gap_of_copies_;  ///< of such that part by more than the tolerance, but not much
+  std::optional<PatchMatch> match_;
   TouchingCurves touching_;
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
@@ -234,6 +280,7 @@ class SectionSearch {
 }  // namespace
 
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance) {
+  if (are_exchanged(a, b)) return exchanged(SectionSearch(b, a, tolerance).found());
   return SectionSearch(a, b, tolerance).found();
 }
 

@@ -16,7 +16,7 @@ glm::dvec3 scaled(const glm::dvec3& p, int exponent) noexcept {
   return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
 }
 
-PowerOfTwo power_of_two(int exponent) noexcept {
+TwoFactors power_of_two(int exponent) noexcept {
   return {std::ldexp(1.0, exponent / 2), std::ldexp(1.0, exponent - exponent / 2)};
 }
 
@@ -54,6 +54,16 @@ NearSpace::NearSpace(std::span<const glm::dvec4> points) {
   into_inner_ = power_of_two(-inner_);
   out_of_inner_ = power_of_two(inner_);
   size_ = size_of(points);
+}
+
+NearSpace NearSpace::of_size_one() const noexcept {
+  if (!(size_ > 0.0)) return *this;
+  NearSpace found = *this;
+  found.into_inner_.second /= size_;
+  found.out_of_inner_.second *= size_;
+  found.rounding_ = rounding_ / size_ + 0x1p-53;
+  found.size_ = 1.0;
+  return found;
 }
 
 double NearSpace::size_of(std::span<const glm::dvec4> points) const {

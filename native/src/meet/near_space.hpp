@@ -12,8 +12,8 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// A power of two, in two factors, for it may be no number.
-struct PowerOfTwo {
+/// A factor as a product of two, for it may be no number.
+struct TwoFactors {
   double first = 1.0;
   double second = 1.0;
 
@@ -32,6 +32,10 @@ struct NearPoint {
 class NearSpace {
  public:
   explicit NearSpace(std::span<const glm::dvec4> points);
+
+  /// The same, but that control points reach just 1 from their middle, so that shapes that are moved and scaled are the same
+  /// there, up to rounding.
+  NearSpace of_size_one() const noexcept;
 
   /// Of a point farther out than `far` one on the way to it. From 2^27 on distances to the shape then differ, from each
   /// other, by less than their rounding, from 2^60 on directions too.
@@ -70,7 +74,7 @@ class NearSpace {
   int inner_ = 0;
   double rounding_ = 0.0;
   double size_ = 0.0;
-  PowerOfTwo into_outer_, into_inner_, out_of_outer_, out_of_inner_;
+  TwoFactors into_outer_, into_inner_, out_of_outer_, out_of_inner_;
 };
 
 /// The points of two shapes that share a space.

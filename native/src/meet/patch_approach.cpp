@@ -272,6 +272,8 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at) {
 std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at, const std::array<Interval, 4>& box) {
   constexpr int kMost = 40;
   constexpr double kStill = 0x1p-46;
+  constexpr double kNoise = 0x1p-28;
+  double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
     breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
@@ -303,7 +305,8 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at, c
     if (!steps) return {};
     const std::optional<double> most = advance(at, *steps, box);
     if (!most) return {};
-    if (*most <= kStill) return at;
+    if (*most <= kStill || (*most >= 0.25 * before && before <= kNoise)) return at;
+    before = *most;
   }
   return {};
 }

@@ -16,7 +16,7 @@ namespace {
 /// So narrow parts with weights of both signs, by their parameter, which run to infinity, are not halved: they are proved to
 /// be outside, or refused.
 constexpr double kNarrowAtInfinity = 0x1p-10;
-constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+constexpr std::size_t kMostPairs = std::size_t{3} << 17;
 constexpr std::size_t kPointsOfLowDegree = 64;
 constexpr std::size_t kMostWork = std::size_t{1} << 25;  ///< control points of all pairs together
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
@@ -24,9 +24,10 @@ constexpr std::size_t kMostCrossing = std::size_t{1} << 18;
 
 class PatchPairSearch {
  public:
-  PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known)
-      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance),
-        is_known_(is_known) {}
+  PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                  const IsPairKnown& is_known)
+      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance), gap_(limits.gap_of_copies),
+        is_matched_(is_matched), is_known_(is_known) {}
 
   PatchPairFindings found() {
     for_near_pairs(patches_.a.tree(), patches_.b.tree(), slack_, [&](std::size_t i, std::size_t j) {
@@ -47,6 +48,7 @@ class PatchPairSearch {
     if (work_ > kMostWork) refuse_degree(std::max(a.net.values.size(), b.net.values.size()));
     if (are_apart(a, b, slack_)) return;
     if (is_lost(a) || is_lost(b)) refuse();
+    if (is_matched_(a, b)) return;
     if (const auto crossing = crossing_part(a, b, slack_)) return add(*crossing);
     const std::optional<HeightDifference> difference = height_difference(a, b, slack_);
     if (difference && difference->are_apart(slack_)) return;
@@ -103,6 +105,10 @@ class PatchPairSearch {
     if (is_unbounded(patches_.a) || is_unbounded(patches_.b)) {
       throw InvalidShape("a shape has weights of both signs and may run through infinity where the other one is" + pairs);
     }
+    if (!gap_.empty()) {
+      throw InvalidShape("the shapes are nearly copies of each other, which part by " + gap_ +
+                         " at most: a tolerance above that takes them as one; where they cross is not told" + pairs);
+    }
     throw InvalidShape("the shapes nearly touch along a curve, or are nearly one in a part" + pairs);
   }
 
@@ -110,6 +116,8 @@ class PatchPairSearch {
   double smallest_;
   double slack_;
   double tolerance_;
+  std::string gap_;
+  const IsPairKnown& is_matched_;
   const IsPairKnown& is_known_;
   std::size_t pairs_ = 0;
   std::size_t work_ = 0;
@@ -118,8 +126,9 @@ class PatchPairSearch {
 
 }  // namespace
 
-PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known) {
-  return PatchPairSearch(patches, limits, is_known).found();
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                             const IsPairKnown& is_known) {
+  return PatchPairSearch(patches, limits, is_matched, is_known).found();
 }
 
 }  // namespace splinecore

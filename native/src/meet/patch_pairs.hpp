@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "crossing_part.hpp"
@@ -38,11 +39,14 @@ struct PairLimits {
   double smallest;     ///< parts of that size are not halved
   double rounding;     ///< parts so near may have places in common
   double tolerance;    ///< surfaces that nowhere part by more are one
+  std::string gap_of_copies;  ///< by how much they part where they are such, for the sentence of a refusal
 };
 
+/// @param is_matched  asked of all pairs that are not apart
 /// @param is_known  asked of parts whose normals do not differ
 /// @throws InvalidShape after too many pairs.
-PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_known);
+PatchPairFindings find_pairs(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
+                             const IsPairKnown& is_known);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -133,15 +133,37 @@ bool TouchingCurves::find_near(const PatchPart& a, const PatchPart& b) {
   const std::optional<PatchSpots> at = touch_of_parts(a, b);
   if (!at) return false;
   const PatchMeeting here = meeting_at(patches_, *at);
-  if (here.distance() > 0.5 * tolerance_ || beads_.is_near(here.a.point, 0x1p-10)) return false;
+  constexpr double kNear = 0x1p-10;
+  if (here.distance() > 0.5 * tolerance_ || beads_.is_near(here.a.point, kNear)) return false;
+  if (no_curves_.is_near(here.a.point, kNear)) return false;
   const std::optional<Parting> parting = parting_at(here);
   if (!parting || !is_curve(*parting) || std::abs(parting->across) < kOneBend * tolerance_) return false;
   const SectionPlace seed{*at, here.a.point + 0.5 * here.b.offset, parting->way, slopes_along(here, parting->way)};
   SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::grazing, {}}, {}, 0.5 * tolerance_});
   if (trace.places.size() < 2) return false;
+  if (!ends_well(trace)) {
+    no_curves_.add(patches_, trace);
+    return false;
+  }
   beads_.add(patches_, trace);
   traces_.push_back(std::move(trace));
   return true;
+}
+
+/// Whether a curve is closed or ends on borders: about a point in which patches touch, or at which curves cross at a small
+/// angle, one goes on but as far as they are within the tolerance.
+bool TouchingCurves::ends_well(const SectionTrace& trace) const {
+  const auto is_on_border = [&](const PatchSpots& at) {
+    constexpr double kHalfOfDigits = 0x1p-24;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const bool is_end = at[i] > 0.5;
+      const PatchPieces& pieces = i < 2 ? patches_.a : patches_.b;
+      const bool is_on_side = std::abs(at[i] - (is_end ? 1.0 : 0.0)) <= kHalfOfDigits;
+      if (is_on_side && !pieces.beyond(i < 2 ? at.a.piece : at.b.piece, {i % 2 == 0 ? Axis::u : Axis::v, is_end})) return true;
+    }
+    return false;
+  };
+  return trace.is_closed || is_on_border(trace.places.front().at) || is_on_border(trace.places.back().at);
 }
 
 /// Sides of parts that are one which are borders of their patches.
@@ -227,6 +249,7 @@ void TouchingCurves::find_border(const PatchSpots& at, const OnFace& border) {
 }
 
 std::optional<SectionTrace> TouchingCurves::traced_border(const PatchSpots& at, const OnFace& border) const {
+  if (is_known_place && is_known_place(at)) return {};
   const PatchMeeting here = meeting_at(patches_, at);
   const std::size_t other = border.parameter ^ 1U;
   const glm::dvec3& slope = other < 2 ? here.a.first[other] : here.b.first[other - 2];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -37,6 +38,12 @@ class TouchingCurves {
   /// surfaces do that touch once, or they are one.
   bool knows(const PatchPart& a, const PatchPart& b);
 
+  /// Whether all about a place is known already.
+  std::function<bool(const PatchSpots&)> is_known_place;
+
+  /// Takes a border of what is known to be one.
+  void add_border(SectionTrace trace);
+
   /// Where a border leaves the other patch, the border of that goes on: after all parts are asked about.
   void follow_borders();
 
@@ -66,6 +73,7 @@ class TouchingCurves {
   bool is_one(const PatchPart& a, const PatchPart& b) const;
   std::optional<PatchSpots> touch_of_parts(const PatchPart& a, const PatchPart& b) const;
   bool find_near(const PatchPart& a, const PatchPart& b);
+  bool ends_well(const SectionTrace& trace) const;
   void find_borders(const PatchPart& a, const PatchPart& b);
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
   void find_border(const PatchSpots& at, const OnFace& border);
@@ -73,7 +81,6 @@ class TouchingCurves {
   double near_border() const;
   std::vector<OnFace> borders_at(const PatchSpots& at) const;
   bool is_new(const SectionTrace& trace) const;
-  void add_border(SectionTrace trace);
 
   TwoPatches patches_;
   double tolerance_;
@@ -82,6 +89,7 @@ class TouchingCurves {
   bool are_one_ = false;
   BeadStrings beads_;
   BeadStrings border_beads_;
+  BeadStrings no_curves_;
 };
 
 }  // namespace splinecore

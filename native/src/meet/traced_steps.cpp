@@ -150,6 +150,36 @@ bool TracedSteps::holds_along(const SectionPlace& place) const {
   });
 }
 
+/// Whether a step within the tolerance of a place goes its way, there or back.
+bool TracedSteps::runs_along(const SectionPlace& place) const {
+  constexpr double kAlong = 0.9;
+  const std::vector<Step>* const steps = steps_in({place.at.a.piece, place.at.b.piece});
+  if (!steps) return false;
+  breathe(16 * steps->size());
+  return std::ranges::any_of(*steps, [&](const Step& which) {
+    const SectionTrace& trace = traces_[which.trace];
+    const SectionStep step(trace.places[which.step], trace.places[which.step + 1]);
+    return std::abs(glm::dot(step.from.tangent, place.tangent)) >= kAlong && step.is_near(place.point, tolerance_);
+  });
+}
+
+SectionTrace TracedSteps::without_known_ends(SectionTrace trace) const {
+  std::vector<SectionPlace>& places = trace.places;
+  if (trace.is_closed || places.empty()) return trace;
+  const auto known = [&](std::size_t i) { return runs_along(places[i]); };
+  std::size_t first = 0;
+  while (first < places.size() && known(first)) ++first;
+  if (first == places.size()) return {{}, false};
+  std::size_t last = places.size() - 1;
+  while (last > first && known(last)) --last;
+  // It goes on from where it leaves them.
+  if (first > 0) --first;
+  if (last + 1 < places.size()) ++last;
+  places.erase(places.begin() + static_cast<std::ptrdiff_t>(last + 1), places.end());
+  places.erase(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(first));
+  return trace;
+}
+
 /// Whether a place is within the tolerance of both patches beside a step that goes the same way.
 bool TracedSteps::is_within(const Step& which, const SectionPlace& place, double sine) const {
   constexpr double kAlong = 0.9;

@@ -25,6 +25,10 @@ class TracedSteps {
   /// Whether one of the curves goes through a place and has its tangent there.
   bool holds_along(const SectionPlace& place) const;
 
+  /// What of a curve does not run along others that are known, by one of which it was passed by at a place where patches touch.
+  /// Nothing is left where all of it does.
+  SectionTrace without_known_ends(SectionTrace trace) const;
+
   /// Whether a curve is so near to a point.
   bool are_near(const glm::dvec3& point, double distance) const;
 
@@ -43,6 +47,7 @@ class TracedSteps {
 
   void put(const Pieces& pieces, const Step& step);
   const std::vector<Step>* steps_in(const Pieces& pieces) const;
+  bool runs_along(const SectionPlace& place) const;
   bool is_on(const Step& which, const SectionPlace& place, double sine) const;
   bool is_within(const Step& which, const SectionPlace& place, double sine) const;
 

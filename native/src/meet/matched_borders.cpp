@@ -1,0 +1,132 @@
+#include "matched_borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "splinecore/base/pause.hpp"
+
+namespace splinecore {
+
+namespace {
+
+class MatchedSides {
+ public:
+  MatchedSides(const TwoPatches& patches, const std::array<AxisMatch, 2>& axes,
+               const std::array<std::vector<MatchedSpan>, 2>& spans, double tolerance)
+      : patches_(patches), axes_(axes), spans_(spans), tolerance_(tolerance) {}
+
+  std::vector<SectionTrace> borders() const {
+    std::vector<SectionTrace> found;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+      for (const bool is_end : {false, true}) {
+        if (is_border(k, is_end)) found.push_back(side(k, is_end));
+      }
+    }
+    return found;
+  }
+
+ private:
+  const MatchedSpan& outermost(std::size_t k, bool is_end) const { return is_end ? spans_[k].back() : spans_[k].front(); }
+  std::size_t own_axis(std::size_t k) const { return axes_[k].axis == Axis::u ? 0 : 1; }
+
+  static std::size_t piece_of(const PatchPieces& patch, std::size_t u, std::size_t v) {
+    return u * patch.knots(Axis::v).spans().size() + v;
+  }
+
+  /// A place of the side at an end of axis k, by a share of a stretch of the other axis.
+  PatchSpots spots(std::size_t k, bool is_end, const MatchedSpan& along, double share) const {
+    const MatchedSpan& across = outermost(k, is_end);
+    PatchSpots at{};
+    at.a.at[k] = is_end ? across.a.end : across.a.start;
+    at.a.at[1 - k] = std::lerp(along.a.start, along.a.end, share);
+    at.a.piece = k == 0 ? piece_of(patches_.a, across.span_a, along.span_a) : piece_of(patches_.a, along.span_a, across.span_a);
+    const std::size_t own = own_axis(k);
+    at.b.at[own] = across.b_at(is_end ? 1.0 : 0.0);
+    at.b.at[1 - own] = along.b_at(share);
+    at.b.piece = own == 0 ? piece_of(patches_.b, across.span_b, along.span_b)
+                          : piece_of(patches_.b, along.span_b, across.span_b);
+    return at;
+  }
+
+  static bool ends_at(const PatchPieces& patch, const PatchSpot& spot, std::size_t axis) {
+    const double t = spot.at[axis];
+    if (t != 0.0 && t != 1.0) return false;
+    return !patch.beyond(spot.piece, {axis == 0 ? Axis::u : Axis::v, t == 1.0});
+  }
+
+  static bool is_at_pole(const PatchPieces& patch, const PatchSpot& spot, std::size_t axis) {
+    const double t = spot.at[axis];
+    return (t == 0.0 || t == 1.0) && patch.is_pole(spot.piece, {axis == 0 ? Axis::u : Axis::v, t == 1.0});
+  }
+
+  bool is_border(std::size_t k, bool is_end) const {
+    const auto is_pole = [&](const MatchedSpan& along) {
+      const PatchSpots at = spots(k, is_end, along, 0.5);
+      return is_at_pole(patches_.a, at.a, k) || is_at_pole(patches_.b, at.b, own_axis(k));
+    };
+    if (std::ranges::all_of(spans_[1 - k], is_pole)) return false;
+    const PatchSpots at = spots(k, is_end, spans_[1 - k].front(), 0.5);
+    return ends_at(patches_.a, at.a, k) || ends_at(patches_.b, at.b, own_axis(k));
+  }
+
+  SectionPlace place(std::size_t k, bool is_end, const MatchedSpan& along, double share) const {
+    const PatchSpots at = spots(k, is_end, along, share);
+    const PatchMeeting here = meeting_at(patches_, at);
+    SectionPlace found{at, here.a.point + 0.5 * here.b.offset, glm::dvec3(0.0), {}};
+    const glm::dvec3& slope = here.a.first[1 - k];
+    const double speed = glm::length(slope);
+    if (!(speed > 0.0)) return found;
+    found.tangent = slope / speed;
+    found.slopes[1 - k] = 1.0 / speed;
+    found.slopes[2 + (1 - own_axis(k))] = (along.is_reversed ? -1.0 : 1.0) * along.b.length() / along.a.length() / speed;
+    return found;
+  }
+
+  bool is_near(const SectionPlace& from, const SectionPlace& to) const {
+    const SectionStep step(from, to);
+    return std::ranges::all_of(std::array{0.15, 0.33, 0.5, 0.67, 0.85}, [&](double s) {
+      const PatchSpots at = step.spots(s);
+      return glm::length(patches_.a.at(at.a, step.point(s)).offset) <= tolerance_ &&
+             glm::length(patches_.b.at(at.b, step.point(s)).offset) <= 2.0 * tolerance_;
+    });
+  }
+
+  SectionTrace side(std::size_t k, bool is_end) const {
+    constexpr double kShortest = 0x1p-16;
+    SectionTrace trace{{}, false};
+    for (const MatchedSpan& along : spans_[1 - k]) {
+      trace.places.push_back(place(k, is_end, along, 0.0));
+      double length = 1.0;
+      for (double at = 0.0; at < 1.0;) {
+        breathe(2048);
+        const double next = at + length < 1.0 ? at + length : 1.0;
+        const SectionPlace to = place(k, is_end, along, next);
+        if (next - at > kShortest && !is_near(trace.places.back(), to)) {
+          length = 0.5 * (next - at);
+          continue;
+        }
+        trace.places.push_back(to);
+        at = next;
+        length *= 2.0;
+      }
+    }
+    constexpr double kSame = 0x1p-36;
+    trace.is_closed = glm::distance(trace.places.front().point, trace.places.back().point) <= kSame;
+    return trace;
+  }
+
+  TwoPatches patches_;
+  const std::array<AxisMatch, 2>& axes_;
+  const std::array<std::vector<MatchedSpan>, 2>& spans_;
+  double tolerance_;
+};
+
+}  // namespace
+
+std::vector<SectionTrace> matched_borders(const TwoPatches& patches, const std::array<AxisMatch, 2>& axes,
+                                          const std::array<std::vector<MatchedSpan>, 2>& spans, double tolerance) {
+  return MatchedSides(patches, axes, spans, tolerance).borders();
+}
+
+}  // namespace splinecore
