@@ -226,10 +226,15 @@ bool goes_away_at_end(const CurvePieces& curve, std::size_t piece, const Interva
   constexpr double kMostInside = 0x1p-3;
   const double from = is_end ? range.end : range.start;
   const double inwards = is_end ? -range.length() : range.length();
-  Slopes<1> s = curve.at({piece, from}, point);
-  for (double share = kInside; share < kMostInside; share *= 4.0) {
-    if (glm::length(s.first[0]) * range.length() > kStill) break;
-    s = curve.at({piece, from + share * inwards}, point);
+  const auto is_still = [&](const Slopes<1>& s, double t) {
+    const double speed = glm::length(s.first[0]);
+    return speed * range.length() <= kStill || curve.is_rounding(speed, {piece, t});
+  };
+  double at = from;
+  Slopes<1> s = curve.at({piece, at}, point);
+  for (double share = kInside; share < kMostInside && is_still(s, at); share *= 4.0) {
+    at = from + share * inwards;
+    s = curve.at({piece, at}, point);
   }
   const double slope = glm::dot(s.offset, s.first[0]);
   return is_end ? slope <= 0.0 : slope >= 0.0;
