@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -71,6 +72,9 @@ class CurvePieces {
   double place(const CurveSpot& spot) const noexcept { return starts_[spot.piece] + spot.t; }
   /// Of a closed curve on any of its turns.
   CurveSpot spot(double place) const noexcept;
+  /// The next place at which a piece ends, or the curve after a gap begins, behind one: of a closed curve on any of its turns.
+  double end_behind(double place) const noexcept { return std::floor(place) + 1.0; }
+
   /// By how much places of a closed curve rise in a turn.
   double turn() const noexcept { return starts_.back() + 1.0; }
 
