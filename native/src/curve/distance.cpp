@@ -4,6 +4,7 @@
 
 #include "basis/refinement.hpp"
 #include "bezier_piece.hpp"
+#include "common_origin.hpp"
 #include "difference.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/degree.hpp"
@@ -43,7 +44,9 @@ double largest_distance(const NurbsCurve& a, const NurbsCurve& b) {
   if (a.domain() != b.domain()) throw InvalidShape("the domains differ");
   constexpr double kSlack = 1.01;
   const auto plain = [](const NurbsCurve& curve) { return curve.periodic() ? unrolled(curve) : curve; };
-  return largest_length(pieces_of(plain(a), plain(b)), kSlack);
+  const glm::dvec3 origin = common_origin(a.points(), b.points());
+  const auto near = [&](const NurbsCurve& curve) { return plain(curve.with_points(from_origin(curve.points(), origin))); };
+  return largest_length(pieces_of(near(a), near(b)), kSlack);
 }
 
 }  // namespace splinecore

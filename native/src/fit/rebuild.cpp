@@ -6,6 +6,7 @@
 
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
+#include "curve/common_origin.hpp"
 #include "fitted_points.hpp"
 #include "quadrature_nodes.hpp"
 #include "rebuilt_on.hpp"
@@ -35,8 +36,10 @@ Approximation<NurbsCurve> rebuilt_on(const NurbsCurve& curve, const KnotVector& 
   ApproximationOptions options;
   options.weights = nodes.weights;
   if (is_open && ends == KeptEnds::tangents && degree > 1) {
-    options.start = slope_at(curve, curve.domain().start, Side::right);
-    options.end = slope_at(curve, curve.domain().end, Side::left);
+    // Far from the origin weights that change fast would leave few digits of them.
+    const NurbsCurve near = curve.with_points(from_origin(curve.points(), common_origin(curve.points(), {})));
+    options.start = slope_at(near, curve.domain().start, Side::right);
+    options.end = slope_at(near, curve.domain().end, Side::left);
   }
   NurbsCurve made = fitted_points(points, nodes.parameters, knots, options).curve();
   const double error = largest_distance(curve, made);

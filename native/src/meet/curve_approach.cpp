@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "splinecore/base/pause.hpp"
 
@@ -171,19 +172,46 @@ double foot_between(const CurvePieces& curve, double low, double high, const glm
 
 }  // namespace
 
+namespace {
+
+/// Places from one to another one at which a curve is looked at: evenly in each piece, and beyond the other places of it where it
+/// is the same curve, for along those it is beside itself.
+std::vector<double> places_between(const CurvePieces& curve, double from, double to, std::array<double, 2> others) {
+  constexpr int kPlaces = 16;
+  const double low = std::min(from, to);
+  const double high = std::max(from, to);
+  std::vector<double> ends{low, high};
+  const auto add = [&](double place) {
+    if (low < place && place < high) ends.push_back(place);
+  };
+  for (const double other : others) add(other);
+  for (double end = curve.end_behind(low); end < high; end = curve.end_behind(end)) add(end);
+  std::ranges::sort(ends);
+  std::vector<double> places;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (i > 1) places.push_back(ends[i - 1]);
+    for (int k = 1; k < kPlaces; ++k) places.push_back(std::lerp(ends[i - 1], ends[i], static_cast<double>(k) / kPlaces));
+  }
+  return places;
+}
+
+}  // namespace
+
 bool are_joined(const TwoCurves& curves, const std::array<double, 2>& from, const std::array<double, 2>& to,
                 double distance) {
-  constexpr int kPlaces = 16;
+  const bool is_one = &curves.a == &curves.b;
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    if (from[k] == to[k]) continue;
     const CurvePieces& curve = k == 0 ? curves.a : curves.b;
     const CurvePieces& other = k == 0 ? curves.b : curves.a;
     const double low = std::min(from[1 - k], to[1 - k]);
     const double high = std::max(from[1 - k], to[1 - k]);
-    for (int i = 1; i < kPlaces && from[k] != to[k]; ++i) {
-      const glm::dvec3 point = curve.at(curve.spot(from[k] + (to[k] - from[k]) * i / kPlaces)).point;
-      const double foot = foot_between(other, low, high, point);
-      if (!(glm::length(other.at(other.spot(foot), point).offset) <= distance)) return false;
-    }
+    const std::array<double, 2> others = is_one ? std::array{low, high} : std::array{from[k], to[k]};
+    const auto is_near = [&](double place) {
+      const glm::dvec3 point = curve.at(curve.spot(place)).point;
+      return glm::length(other.at(other.spot(foot_between(other, low, high, point)), point).offset) <= distance;
+    };
+    if (!std::ranges::all_of(places_between(curve, from[k], to[k], others), is_near)) return false;
   }
   return true;
 }
@@ -226,10 +254,15 @@ bool goes_away_at_end(const CurvePieces& curve, std::size_t piece, const Interva
   constexpr double kMostInside = 0x1p-3;
   const double from = is_end ? range.end : range.start;
   const double inwards = is_end ? -range.length() : range.length();
-  Slopes<1> s = curve.at({piece, from}, point);
-  for (double share = kInside; share < kMostInside; share *= 4.0) {
-    if (glm::length(s.first[0]) * range.length() > kStill) break;
-    s = curve.at({piece, from + share * inwards}, point);
+  const auto is_still = [&](const Slopes<1>& s, double t) {
+    const double speed = glm::length(s.first[0]);
+    return speed * range.length() <= kStill || curve.is_rounding(speed, {piece, t});
+  };
+  double at = from;
+  Slopes<1> s = curve.at({piece, at}, point);
+  for (double share = kInside; share < kMostInside && is_still(s, at); share *= 4.0) {
+    at = from + share * inwards;
+    s = curve.at({piece, at}, point);
   }
   const double slope = glm::dot(s.offset, s.first[0]);
   return is_end ? slope <= 0.0 : slope >= 0.0;

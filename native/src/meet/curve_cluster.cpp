@@ -172,41 +172,69 @@ SpotPair CurveCluster::nearest(const TwoCurves& curves) const {
   return *best;
 }
 
-/// Most of the length of the first curve, whatever its pace: looked at between the ends of stretches, too. What is much of
-/// one of the curves is one though it is not so near, as where weights leave but few digits.
-std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
-  // Curves that only touch are nearly a tolerance apart along most of a cluster.
-  const double one = distance_of_one(tolerance, curves.rounding);
-  constexpr double kMuch = 0.25;
-  if (!cluster.has_stretches()) return {};
-  const Interval along = within(cluster, curves, tolerance);
+namespace {
+
+/// How far apart curves are at places of a cluster, and how long each step to the next one is.
+struct Profile {
+  std::vector<double> distances;
+  std::vector<double> steps;
+  double length = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+};
+
+/// Whatever the pace of the first curve: looked at between the ends of stretches, too.
+Profile profile_of(const CurveCluster& cluster, const TwoCurves& curves, const Interval& along) {
   const auto uniform = places_of(along);
   std::vector<double> places(uniform.begin(), uniform.end());
   cluster.add_ends(places, along);
   std::ranges::sort(places);
-  double near = 0.0;
-  double length = 0.0;
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
+  Profile profile;
   glm::dvec3 before(0.0);
-  bool was_near = false;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const SpotPair at = cluster.at(curves, places[i]);
+  for (const double place : places) {
+    const SpotPair at = cluster.at(curves, place);
     const glm::dvec3 point = curves.a.at(at.a).point;
     const double distance = curves.distance(at);
-    const bool is_near = distance <= one;
-    least = std::min(least, distance);
-    most = std::max(most, distance);
-    const double step = i > 0 ? glm::distance(point, before) : 0.0;
-    length += step;
-    if (is_near && was_near) near += step;
-    was_near = is_near;
+    if (!profile.distances.empty()) profile.steps.push_back(glm::distance(point, before));
+    profile.distances.push_back(distance);
+    profile.least = std::min(profile.least, distance);
+    profile.most = std::max(profile.most, distance);
     before = point;
   }
-  const bool is_within = least <= tolerance && most <= kWide * tolerance;
-  const bool is_much = is_within && length >= kMuch * std::min(curves.a.length(), curves.b.length());
-  const bool is_one = length > 8.0 * tolerance && (4.0 * near >= 3.0 * length || is_much);
-  return is_one ? std::optional(along) : std::nullopt;
+  for (const double step : profile.steps) profile.length += step;
+  return profile;
+}
+
+/// Along how much of it curves are evenly near: at most so much farther apart than where they are nearest.
+double length_within(const Profile& profile, double distance) {
+  double length = 0.0;
+  for (std::size_t i = 0; i < profile.steps.size(); ++i) {
+    if (std::max(profile.distances[i], profile.distances[i + 1]) <= distance) length += profile.steps[i];
+  }
+  return length;
+}
+
+/// Whether one of the curves ends where they are side by side no more, at both ends.
+bool is_between_ends(const CurveCluster& cluster, const TwoCurves& curves, const Interval& along, double tolerance) {
+  const auto does_end = [&](double place) {
+    const auto [on_a, on_b] = curves.places(cluster.at(curves, place));
+    return curves.a.ends_near(on_a, tolerance) || curves.b.ends_near(on_b, tolerance);
+  };
+  return cluster.is_round(curves) || (does_end(along.start) && does_end(along.end));
+}
+
+}  // namespace
+
+std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {
+  if (!cluster.has_stretches()) return {};
+  const Interval along = within(cluster, curves, tolerance);
+  const Profile profile = profile_of(cluster, curves, along);
+  if (!(profile.least <= tolerance && profile.length > 8.0 * tolerance)) return {};
+  // Curves that only touch are nearly a tolerance apart along most of a cluster.
+  const double even = profile.least + distance_of_one(tolerance - profile.least, curves.rounding);
+  if (4.0 * length_within(profile, even) >= 3.0 * profile.length) return along;
+  const bool is_within = profile.most <= kWide * tolerance;
+  return is_within && is_between_ends(cluster, curves, along, tolerance) ? std::optional(along) : std::nullopt;
 }
 
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance) {

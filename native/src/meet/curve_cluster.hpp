@@ -79,7 +79,8 @@ struct ClusterShape {
   bool touches = false;             ///< whether tangents are parallel there
 };
 
-/// The places of the first curve along which curves are one; none where they but touch or cross.
+/// The places of the first curve along which curves are one, evenly near or from end to end; none where they but touch
+/// or cross.
 std::optional<Interval> overlap_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, double tolerance);
 

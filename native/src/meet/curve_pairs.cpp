@@ -201,6 +201,12 @@ class PairSearch {
     const Interval in_a = ends_in(curves_.a, a, b);
     if (in_a.length() > 0.0 && !is_near(in_a.start)) return false;
     const Interval in_b = ends_in(curves_.b, b, a);
+    const auto is_near_of_b = [&](double t) {
+      const CurveSpot on_b{b.piece, t};
+      const double foot = foot_of(curves_.a, a.piece, a.range, curves_.b.at(on_b).point);
+      return curves_.distance({{a.piece, foot}, on_b}) <= tolerance_;
+    };
+    if (in_b.length() > 0.0 && !(is_near_of_b(in_b.start) && is_near_of_b(in_b.end))) return false;
     if (in_a.length() == 0.0 && in_b.length() == 0.0) return are_end_to_end(a, in_a.start, b, in_b.start);
     if (in_a.length() == 0.0 || in_b.length() == 0.0) return false;
     constexpr std::size_t kMost = 65;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
@@ -24,6 +25,20 @@ void stand_still(BernsteinNet<glm::dvec4>& piece, double rounding) {
 std::vector<glm::dvec4> absolute(std::vector<glm::dvec4> points) {
   for (glm::dvec4& h : points) h = {glm::length(glm::dvec3(h)), 0.0, 0.0, std::abs(h.w)};
   return points;
+}
+
+/// Of control points by how many of their absolute weights the speed may be rounded where the weight is 1.
+double rounding_of_speed(const BernsteinNet<glm::dvec4>& piece) {
+  constexpr double kRounding = 0x1p-50;
+  double most = 0.0;
+  for (const glm::dvec4& h : piece.values) most = std::max({most, glm::length(glm::dvec3(h)), std::abs(h.w)});
+  return kRounding * static_cast<double>(piece.rows) * most;
+}
+
+double least_weight(const BernsteinNet<glm::dvec4>& piece) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const glm::dvec4& h : piece.values) least = std::min(least, std::abs(h.w));
+  return has_one_sign(piece.values, &glm::dvec4::w) ? least : 0.0;
 }
 
 }  // namespace
@@ -50,8 +65,8 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
     pieces_.push_back(bezier_piece(knots_, static_cast<int>(i), own.data()));
     if (is_endless) sums_[i] = bezier_piece(knots_, static_cast<int>(i), own_sums.data());
     stand_still(pieces_.back(), space.rounding());
+    most_still_.push_back(rounding_of_speed(pieces_.back()) / least_weight(pieces_.back()));
     boxes.push_back(box_of(pieces_.back()));
-    length_ += length_of_chords(i);
   }
   tree_.emplace(boxes);
   for (std::size_t i = 0; i < count; ++i) {
@@ -59,18 +74,6 @@ CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)
     starts_.push_back(i == 0 ? 0.0 : starts_.back() + (goes_on_.back() ? 1.0 : 2.0));
     goes_on_.push_back(splinecore::are_one(pieces_[i].values.back(), next, space.rounding()));
   }
-}
-
-double CurvePieces::length_of_chords(std::size_t piece) const {
-  constexpr int kChords = 8;
-  glm::dvec3 before = at({piece, 0.0}).point;
-  double length = 0.0;
-  for (int i = 1; i <= kChords; ++i) {
-    const glm::dvec3 next = at({piece, static_cast<double>(i) / kChords}).point;
-    length += glm::distance(next, before);
-    before = next;
-  }
-  return length;
 }
 
 std::optional<std::size_t> CurvePieces::after(std::size_t i) const noexcept {
@@ -95,6 +98,14 @@ double CurvePieces::rounding(const CurveSpot& spot, const Slopes<1>& here) const
   slopes(pieces_[spot.piece], h);
   const double speed = glm::length(here.first[0]);
   return rounding_across(h[0], of_sums[0], speed > 0.0 ? here.first[0] / speed : glm::dvec3(0.0));
+}
+
+bool CurvePieces::is_rounding(double speed, const CurveSpot& spot) const noexcept {
+  if (speed > most_still_[spot.piece]) return false;
+  const BernsteinNet<glm::dvec4>& net = pieces_[spot.piece];
+  std::array<glm::dvec4, 3> h;
+  kernels_.piece_slopes({static_cast<int>(net.rows), 1, &net.values.front().x}, &spot.t, &h[0].x);
+  return speed * std::abs(h[0].w) <= rounding_of_speed(net);
 }
 
 double CurvePieces::parameter(const CurveSpot& spot) const {
@@ -130,6 +141,12 @@ double CurvePieces::reach(double place, double way, double distance) const {
     }
     if (!is_within(far)) return far;
   }
+}
+
+bool CurvePieces::ends_near(double place, double distance) const {
+  const CurveSpot first = spot(place - reach(place, -1.0, distance));
+  const CurveSpot last = spot(place + reach(place, 1.0, distance));
+  return (first.t == 0.0 && !before(first.piece)) || (last.t == 1.0 && !after(last.piece));
 }
 
 CurveSpot CurvePieces::spot(double place) const noexcept {

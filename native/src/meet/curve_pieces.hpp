@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -51,6 +52,9 @@ class CurvePieces {
   /// How far rounding of coordinates and weights moves a place across the curve, where it is `here`.
   double rounding(const CurveSpot& spot, const Slopes<1>& here) const noexcept;
 
+  /// Whether a speed is so low at a place that rounding may make all of it, where weights are much above that there.
+  bool is_rounding(double speed, const CurveSpot& spot) const noexcept;
+
   double parameter(const CurveSpot& spot) const;
 
   /// Whether places are one up to a tolerance: the curve stays as near from one to the other, of a closed curve over its
@@ -61,27 +65,28 @@ class CurvePieces {
   /// first one that is not, and never over a gap.
   double reach(double place, double way, double distance) const;
 
+  /// Whether the curve ends, or jumps, within a distance of a place.
+  bool ends_near(double place, double distance) const;
+
   /// Piece and t as one number, which rises along the curve; after a gap it is one higher.
   double place(const CurveSpot& spot) const noexcept { return starts_[spot.piece] + spot.t; }
   /// Of a closed curve on any of its turns.
   CurveSpot spot(double place) const noexcept;
-  /// That of a few chords of each piece.
-  double length() const noexcept { return length_; }
+  /// The next place at which a piece ends, or the curve after a gap begins, behind one: of a closed curve on any of its turns.
+  double end_behind(double place) const noexcept { return std::floor(place) + 1.0; }
 
   /// By how much places of a closed curve rise in a turn.
   double turn() const noexcept { return starts_.back() + 1.0; }
 
  private:
-  double length_of_chords(std::size_t piece) const;
-
   const Kernels& kernels_;
   KnotVector knots_;
   std::vector<BernsteinNet<glm::dvec4>> pieces_;
   std::vector<BernsteinNet<glm::dvec4>> sums_;
+  std::vector<double> most_still_;  ///< of each piece the highest speed that rounding may make at a place of it
   std::vector<bool> goes_on_;  ///< after each piece, after the last one at the first
   std::vector<double> starts_;  ///< places of the starts of pieces
   std::optional<BoxTree> tree_;
-  double length_ = 0.0;
 };
 
 }  // namespace splinecore

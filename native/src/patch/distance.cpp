@@ -4,6 +4,7 @@
 
 #include "basis/refinement.hpp"
 #include "bezier_piece.hpp"
+#include "curve/common_origin.hpp"
 #include "curve/difference.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
@@ -61,7 +62,9 @@ double largest_distance(const NurbsPatch& a, const NurbsPatch& b) {
     if (a.knot_vector(axis).domain() != b.knot_vector(axis).domain()) throw InvalidShape("the domains differ");
   }
   constexpr double kSlack = 1.02;
-  return largest_length(difference_pieces(a, b), kSlack);
+  const glm::dvec3 origin = common_origin(a.points(), b.points());
+  const auto near = [&](const NurbsPatch& patch) { return patch.with_points(from_origin(patch.points(), origin)); };
+  return largest_length(difference_pieces(near(a), near(b)), kSlack);
 }
 
 }  // namespace splinecore

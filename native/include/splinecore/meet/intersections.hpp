@@ -55,8 +55,8 @@ struct PatchIntersections {
 ///
 /// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
 /// (k + 1)th root: that is one place, which touches, anywhere in the middle of that stretch that rounding leaves. It is
-/// an overlap where they are much nearer, within 1/64 of the tolerance, along three quarters of it, or where it is a
-/// quarter of one of both curves.
+/// an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
+/// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it goes round.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
