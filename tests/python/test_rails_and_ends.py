@@ -43,6 +43,51 @@ def test_sections_that_touch_neither_rail_are_refused(inputs):
             build.sweep_two_rails(first, second, sc.BezierCurve(scale * (points + away)))
 
 
+def wild_rail(rng, from_, to):
+    """Bent, of degrees 1 to 6, perhaps rational."""
+    degree = int(rng.integers(1, 7))
+    inner = np.sort(rng.uniform(0.1, 0.9, int(rng.integers(0, 4)))) if degree > 1 else np.array([])
+    count = len(inner) + degree + 1
+    points = np.linspace(from_, to, count)
+    points[1:-1] += rng.normal(0, 0.2, (count - 2, 3))
+    weights = 10**rng.uniform(-0.5, 0.5, count) if rng.random() < 0.5 else None
+    return sc.NurbsCurve(degree, np.r_[[0] * (degree + 1), inner, [1] * (degree + 1)], points, weights)
+
+
+def test_surfaces_are_on_both_rails_up_to_what_they_say(inputs):
+    """Sections that end on both rails, that all but do, and that are elsewhere at one of them."""
+    said = 0
+    for seed in range(inputs(1000)):
+        rng = np.random.default_rng([seed, 19])
+        first = wild_rail(rng, (0, 0, 0), (0, 0, 5))
+        second = wild_rail(rng, (2, 0, 0), (2 + rng.normal(0, 0.3), 0, 5))
+        width = np.linalg.norm(second.evaluate(0.0) - first.evaluate(0.0))
+        points = np.array([(0, 0, 0), (0.25 * width, 0.5, 0), (0.75 * width, -0.3, 0.1), (width, 0, 0)])
+        kind = seed % 3
+        if kind:
+            points[int(rng.choice([0, 3]))] += rng.normal(size=3) * (1e-4 if kind == 1 else 1.0) * width
+        scale = 10**rng.uniform(-12, 9)
+        rails = [rail.transformed(scale * np.eye(3)) for rail in (first, second)]
+        try:
+            made, error = build.sweep_two_rails(*rails, sc.BezierCurve(scale * points), tolerance=1e-6 * scale,
+                                                height=str(rng.choice(["scaled", "kept"])))
+        except sc.ToleranceNotReached:
+            continue
+        except sc.InvalidShape as why:
+            assert "touch" not in str(why), (seed, why)
+            continue
+        v = np.linspace(*made.domain[1], 60)
+        if kind == 2:
+            off = max(made.nearest(rail.evaluate(v)).distances.max() for rail in rails)
+        else:
+            off = max(np.linalg.norm(made.evaluate_grid([u], v)[0] - rail.evaluate(v), axis=-1).max()
+                      for u, rail in zip(made.domain[0], rails))
+        assert off <= 1.001 * error + 1e-11 * scale, (seed, kind, off / scale, error / scale)
+        assert kind or error <= 1e-6 * scale, seed
+        said += kind > 0
+    assert said > 0.3 * inputs(1000)
+
+
 def test_the_frame_at_the_end_of_a_periodic_curve_is_that_carried_there(inputs):
     """As that of the same curve opened, whose end is no start."""
     for seed in range(inputs(1000)):

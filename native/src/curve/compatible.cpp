@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 
+#include "near_knot.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -106,7 +106,6 @@ bool have_one_knot_vector(std::span<const NurbsCurve> curves) {
 }  // namespace
 
 std::vector<NurbsCurve> compatible(std::span<const NurbsCurve> curves, double knot_distance) {
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (curves.empty()) throw InvalidShape("there is no curve");
   if (!(knot_distance >= 0.0 && knot_distance < 1.0)) {
     throw InvalidShape("knot_distance = " + text_of(knot_distance) + ": a part of the domain from 0 to below 1 is expected");
@@ -120,8 +119,9 @@ std::vector<NurbsCurve> compatible(std::span<const NurbsCurve> curves, double kn
   }
   if (have_one_knot_vector(made)) return made;
   const bool is_periodic = std::ranges::all_of(curves, &NurbsCurve::periodic);
-  const double slack = std::max(kRounding * std::max(std::abs(domain.start), std::abs(domain.end)),
-                                knot_distance * domain.length());
+  double share = knot_distance;
+  for (const NurbsCurve& curve : curves) share = std::max(share, knot_rounding(curve.domain()));
+  const double slack = share * domain.length();
   std::vector<CommonKnot> common;
   for (NurbsCurve& curve : made) {
     curve = is_periodic ? with_whole_seam(curve) : clamped(curve);

@@ -19,7 +19,8 @@ NurbsCurve turned(const NurbsCurve& curve, const SectionTurn& turn);
 /// For each of some curves how it runs as the one before it does, as that is turned: turned round where that is nearer, and
 /// where it is periodic begun where it is nearest, at a corner if the one before it begins at one. The first stays.
 ///
-/// Nearest is the sum of squared distances at equal parts of the domains, which does not change where a curve is moved.
+/// Nearest is the angle between their points at equal parts of the domains, which does not change where a curve is moved. A
+/// periodic curve begins by 1/512 of its period beside that at most, where its knots are then those of others.
 /// @param curves  about 1 large
 std::vector<SectionTurn> turns_of(const std::vector<NurbsCurve>& curves);
 

@@ -13,26 +13,59 @@ namespace splinecore {
 
 namespace {
 
-/// About `spans` of them, even between corners, which are knots as often as the degree.
+/// How near, as a part of the domain, knots all but coincide, and creases are one.
+constexpr double kNear = 0x1p-12;
+
+/// In order, each once; none of more than can be, where even spans do as well.
+std::vector<Crease> told_apart(std::vector<Crease> creases, double near) {
+  constexpr std::size_t kMost = 256;
+  std::ranges::sort(creases, {}, &Crease::at);
+  std::vector<Crease> found;
+  for (const Crease& one : creases) {
+    if (found.empty() || one.at - found.back().at > near) {
+      found.push_back(one);
+    } else {
+      found.back().times = std::max(found.back().times, one.times);
+    }
+  }
+  if (found.size() > kMost) std::erase_if(found, [](const Crease& one) { return one.times < 2; });
+  if (found.size() > kMost) found.clear();
+  return found;
+}
+
+/// Corners, and the creases that are near to none of them.
+std::vector<Crease> breaks_of(const FitTogether& what) {
+  const double near = kNear * what.domain.length();
+  std::vector<Crease> found;
+  for (const double corner : what.corners) found.push_back({corner, what.degree});
+  for (const Crease& crease : told_apart(what.creases, near)) {
+    const auto is_near = [&](double place) { return std::abs(place - crease.at) <= near; };
+    const bool is_seam = is_near(what.domain.start) || is_near(what.domain.end);
+    if (std::ranges::none_of(what.corners, is_near)) found.push_back({is_seam ? what.domain.start : crease.at, crease.times});
+  }
+  std::ranges::sort(found, {}, &Crease::at);
+  return found;
+}
+
+/// About `spans` of them, even between corners, which are knots as often as the degree, and creases.
 KnotVector knots_between(const FitTogether& what, int spans) {
-  const auto& [count, degree, domain, is_periodic, corners, tolerance] = what;
-  std::vector<double> breaks{domain.start};
-  bool has_corner_at_seam = false;
-  for (const double corner : corners) {
-    const bool is_inside = corner > domain.start && corner < domain.end;
-    if (is_inside) breaks.push_back(corner);
-    has_corner_at_seam = has_corner_at_seam || !is_inside;
+  const int degree = what.degree;
+  const Interval domain = what.domain;
+  std::vector<Crease> breaks{{domain.start, what.is_periodic ? 1 : degree + 1}};
+  for (const Crease& one : breaks_of(what)) {
+    const bool is_inside = one.at > domain.start && one.at < domain.end;
+    if (is_inside) breaks.push_back(one);
+    if (!is_inside) breaks.front().times = std::max(breaks.front().times, one.times);
   }
-  breaks.push_back(domain.end);
-  std::vector<double> knots(is_periodic ? has_corner_at_seam ? degree : 1 : degree + 1, domain.start);
+  breaks.push_back({domain.end, what.is_periodic ? 1 : degree + 1});
+  std::vector<double> knots(breaks.front().times, domain.start);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const double length = breaks[i + 1] - breaks[i];
+    const double length = breaks[i + 1].at - breaks[i].at;
     const int pieces = std::max(1, static_cast<int>(std::round(spans * (length / domain.length()))));
-    for (int k = 1; k < pieces; ++k) knots.push_back(breaks[i] + length * k / pieces);
-    const bool is_end = i + 2 == breaks.size();
-    knots.insert(knots.end(), !is_end ? degree : is_periodic ? 1 : degree + 1, breaks[i + 1]);
+    for (int k = 1; k < pieces; ++k) knots.push_back(breaks[i].at + length * k / pieces);
+    knots.insert(knots.end(), breaks[i + 1].times, breaks[i + 1].at);
   }
-  return KnotVector::make(degree, std::move(knots), is_periodic);
+  return KnotVector::make(degree, std::move(knots), what.is_periodic);
 }
 
 /// Looks for the fewest spans on which one curve after the other comes within the tolerance. Of many curves the few that
@@ -127,6 +160,23 @@ std::vector<double> corners_of(std::span<const NurbsCurve> curves) {
   const double same = kSame * curves[0].domain().length();
   const auto repeated = std::ranges::unique(found, [&](double a, double b) { return b - a <= same; });
   found.erase(repeated.begin(), repeated.end());
+  return found;
+}
+
+std::vector<Crease> creases_of(const NurbsCurve& curve, int degree) {
+  const Interval domain = curve.domain();
+  const auto knots = curve.knot_vector().knots();
+  std::vector<Crease> found;
+  for (std::size_t i = 0; i < knots.size();) {
+    std::size_t end = i + 1;
+    while (end < knots.size() && knots[end] - knots[i] <= kNear * domain.length()) ++end;
+    const int times = degree - curve.degree() + static_cast<int>(end - i);
+    const double at = 0.5 * (knots[i] + knots[end - 1]);
+    const bool is_inside = at < domain.end && (curve.periodic() ? at >= domain.start : at > domain.start);
+    const bool is_one_knot = knots[end - 1] == knots[i];
+    if (times > 0 && is_inside) found.push_back({at, std::min(times, is_one_knot ? degree - 1 : degree)});
+    i = end;
+  }
   return found;
 }
 

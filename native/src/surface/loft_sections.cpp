@@ -198,24 +198,42 @@ void require_room(const std::vector<NurbsCurve>& rows) {
                      " control points. With a tolerance they are moved by less than that, onto few knots of their own");
 }
 
-/// All rows on one knot vector. @returns how far they were moved
-double make_compatible(std::vector<Bundle>& bundles, double knot_distance) {
+std::vector<NurbsCurve> rows_of(const std::vector<Bundle>& bundles) {
   std::vector<NurbsCurve> all;
   for (const Bundle& bundle : bundles) all.insert(all.end(), bundle.rows.begin(), bundle.rows.end());
-  if (knot_distance == 0.0) require_room(all);
-  const std::vector<NurbsCurve> made = compatible(all, knot_distance);
+  return all;
+}
+
+/// How far curves that were made compatible were moved by that.
+double moved_by(const std::vector<NurbsCurve>& rows, const std::vector<NurbsCurve>& made) {
   double error = 0.0;
-  std::size_t next = 0;
-  for (Bundle& bundle : bundles) {
-    for (NurbsCurve& row : bundle.rows) {
-      if (knot_distance > 0.0) {
-        const NurbsCurve before = row.periodic() && !made[next].periodic() ? clamped(row) : row;
-        error = std::max(error, largest_distance(with_domain(before, made[next].domain()), made[next]));
-      }
-      row = made[next++];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const NurbsCurve plain = rows[i].periodic() && !made[i].periodic() ? clamped(rows[i]) : rows[i];
+    const NurbsCurve before = plain.domain() == made[i].domain() ? plain : with_domain(plain, made[i].domain());
+    if (!std::ranges::includes(made[i].knot_vector().knots(), before.knot_vector().knots())) {
+      error = std::max(error, largest_distance(before, made[i]));
     }
   }
   return error;
+}
+
+/// All rows on one knot vector. Knots that are one but for rounding of what made them are one where that moves no section by more
+/// than rounding. @returns how far they were moved
+double make_compatible(std::vector<Bundle>& bundles, double knot_distance, const NearSpace& space) {
+  constexpr double kSame = 0x1p-40;
+  const std::vector<NurbsCurve> rows = rows_of(bundles);
+  if (knot_distance == 0.0) require_room(rows);
+  std::vector<NurbsCurve> made = compatible(rows, std::max(knot_distance, kSame));
+  double error = moved_by(rows, made);
+  if (knot_distance < kSame && !(error <= space.length(kSame))) {
+    made = compatible(rows, knot_distance);
+    error = moved_by(rows, made);
+  }
+  std::size_t next = 0;
+  for (Bundle& bundle : bundles) {
+    for (NurbsCurve& row : bundle.rows) row = made[next++];
+  }
+  return knot_distance > 0.0 || error > space.length(kSame) ? error : 0.0;
 }
 
 /// What the weights of a section are divided by.
@@ -282,7 +300,7 @@ LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOpti
   const bool is_turned = std::ranges::any_of(options.turned, std::identity());
   if (options.is_aligned && options.closing == Closing::closed && !is_turned) close(bundles, space);
   double error = options.tolerance ? rebuild(bundles, *options.tolerance) : 0.0;
-  error += make_compatible(bundles, options.knot_distance);
+  error += make_compatible(bundles, options.knot_distance, space);
   for (Bundle& bundle : bundles) {
     const double factor = factor_of(bundle.rows[0], options.weights);
     for (NurbsCurve& row : bundle.rows) row = with_weights_divided(row, factor);

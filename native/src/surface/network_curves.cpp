@@ -8,6 +8,7 @@
 
 #include "base/length.hpp"
 #include "base/sort_by.hpp"
+#include "curve/near_knot.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/part.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -157,7 +158,9 @@ double begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
   if (!curve.periodic()) curve = made_periodic(curve).value;
   const double before = curve.domain().start;
   const double period = curve.domain().length();
-  const double start = curve.knot_vector().admit(at.front(), Side::right);
+  constexpr double kSame = 0x1p-40;
+  const double near = std::max(kSame, knot_rounding(curve.domain())) * period;
+  const double start = curve.knot_vector().admit(near_knot(curve.knot_vector(), at.front(), near), Side::right);
   curve = with_seam_at(curve, start);
   for (double& u : at) {
     while (u < start) u += period;

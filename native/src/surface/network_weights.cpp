@@ -215,7 +215,9 @@ void give_weights(PacedFamily& family, const PacedFamily& others, const std::opt
   std::vector<std::size_t> which;
   std::vector<PacedCurve> curves;
   std::vector<double> corners = between.kinks(is_u);
+  std::vector<Crease> creases;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
+    std::ranges::copy(paced_creases(family, i), std::back_inserter(creases));
     const bool is_border = borders && (i == 0 || i + 1 == family.curves.size());
     if (is_border && family.there[i]) {
       family.curves[i] = with_factors((*borders)[i == 0 ? 0 : 1]);
@@ -231,7 +233,7 @@ void give_weights(PacedFamily& family, const PacedFamily& others, const std::opt
   corners.erase(repeated.begin(), repeated.end());
   const Interval domain = family.curves[0].domain();
   const Interval across = others.curves[0].domain();
-  const FitTogether what{which.size(), 3, domain, family.is_closed, corners, tolerance};
+  const FitTogether what{which.size(), 3, domain, family.is_closed, corners, tolerance, creases};
   const auto fitted = fitted_together(what, [&](std::size_t k, const KnotVector& knots) {
     return projected(curves[k], knots, [&](std::span<const double> at) {
       return between.along(is_u, others.wanted[which[k]], at, domain, across);

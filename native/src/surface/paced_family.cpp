@@ -103,8 +103,10 @@ bool reconcile_weights(PacedFamily& u, PacedFamily& v) {
   return true;
 }
 
-std::vector<double> paced_corners(const PacedFamily& family, std::size_t i) {
-  std::vector<double> found = corners_of({&family.own[i], 1});
+namespace {
+
+/// Among parameters at which the family meets the others those of places of a curve as it is given.
+std::vector<double> where_paced(const PacedFamily& family, std::size_t i, std::vector<double> found) {
   if (family.there[i]) return found;
   const Pacing pacing(family.wanted, family.given[i], family.is_closed);
   for (double& corner : found) {
@@ -125,20 +127,40 @@ std::vector<double> paced_corners(const PacedFamily& family, std::size_t i) {
   return found;
 }
 
+}  // namespace
+
+std::vector<double> paced_corners(const PacedFamily& family, std::size_t i) {
+  return where_paced(family, i, corners_of({&family.own[i], 1}));
+}
+
+std::vector<Crease> paced_creases(const PacedFamily& family, std::size_t i) {
+  std::vector<Crease> found = creases_of(family.own[i], 3);
+  std::vector<double> places;
+  for (const Crease& one : found) places.push_back(one.at);
+  places = where_paced(family, i, places);
+  for (std::size_t k = 0; k < found.size(); ++k) found[k].at = places[k];
+  if (family.there[i]) return found;
+  const int times = Pacing(family.wanted, family.given[i], family.is_closed).is_smooth() ? 1 : 2;
+  for (const double u : family.wanted) found.push_back({u, times});
+  return found;
+}
+
 void repace(PacedFamily& family, double tolerance) {
   std::vector<std::size_t> which;
   std::vector<Pacing> pacings;
   std::vector<double> corners;
+  std::vector<Crease> creases;
   for (std::size_t i = 0; i < family.curves.size(); ++i) {
     family.curves[i] = family.own[i];
     if (family.there[i] && !family.own[i].rational()) continue;
     which.push_back(i);
     pacings.emplace_back(family.wanted, family.given[i], family.is_closed);
     std::ranges::copy(paced_corners(family, i), std::back_inserter(corners));
+    std::ranges::copy(paced_creases(family, i), std::back_inserter(creases));
   }
   if (which.empty()) return;
   std::ranges::sort(corners);
-  const FitTogether what{which.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance};
+  const FitTogether what{which.size(), 3, family.curves[0].domain(), family.is_closed, corners, tolerance, creases};
   const auto fitted = fitted_together(what, [&](std::size_t k, const KnotVector& knots) {
     const auto function = [&](std::span<const double> at, std::span<glm::dvec3> points) {
       std::vector<double> paces;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "fitted_together.hpp"
 #include "network_curves.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -42,6 +43,9 @@ void repace(PacedFamily& family, double tolerance);
 
 /// Parameters, among those at which the family meets the others, of the corners of a curve.
 std::vector<double> paced_corners(const PacedFamily& family, std::size_t i);
+
+/// And its creases, as of a cubic.
+std::vector<Crease> paced_creases(const PacedFamily& family, std::size_t i);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

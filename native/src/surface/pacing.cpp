@@ -48,7 +48,8 @@ std::vector<double> rising_slopes(const std::vector<double>& wanted, const std::
 Pacing::Pacing(std::vector<double> wanted, std::vector<double> given, bool is_periodic)
     : wanted_(std::move(wanted)), given_(std::move(given)) {
   if (wanted_.size() > (is_periodic ? 3U : 2U)) slopes_ = smooth_slopes(wanted_, given_, is_periodic);
-  if (slopes_.empty() || !rises()) slopes_ = rising_slopes(wanted_, given_, is_periodic);
+  is_smooth_ = !slopes_.empty() && rises();
+  if (!is_smooth_) slopes_ = rising_slopes(wanted_, given_, is_periodic);
 }
 
 double Pacing::at(double u) const {

@@ -16,12 +16,16 @@ class Pacing {
   /// The parameter of the curve at one of those wanted.
   double at(double u) const;
 
+  /// Whether second derivatives go on, too.
+  bool is_smooth() const { return is_smooth_; }
+
  private:
   bool rises() const;
 
   std::vector<double> wanted_;
   std::vector<double> given_;
   std::vector<double> slopes_;
+  bool is_smooth_ = false;
 };
 
 }  // namespace splinecore

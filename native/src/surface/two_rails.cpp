@@ -18,6 +18,7 @@
 #include "rail_sections.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
+#include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/measure/arc_length.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -42,6 +43,14 @@ struct PlaceBetween {
 };
 
 glm::dvec3 unit(const glm::dvec3& v) { return v / length_of(v); }
+
+/// Even places inside a span.
+std::vector<double> inside(const Interval& span) {
+  constexpr int kInSpan = 8;
+  std::vector<double> at;
+  for (int k = 0; k < kInSpan; ++k) at.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+  return at;
+}
 
 std::vector<glm::dvec3> points_of(const NurbsCurve& rail, std::span<const double> at, Side side) {
   std::vector<glm::dvec3> points(at.size());
@@ -109,31 +118,44 @@ std::vector<PlaceBetween> places_between(const Rails& rails, std::span<const dou
   return places;
 }
 
-/// Sections go from one rail to the other: x from 0 to the width there. @throws InvalidShape of one that is near neither
-void require_between(const RailSection& section, double width, std::size_t index) {
+/// Sections go from one rail to the other: x from 0 to the width there.
+/// @returns how far its ends, or it itself where they are elsewhere, pass by a rail, as a part of the width
+/// @throws InvalidShape of one that is near neither
+double gap_at_rails(const RailSection& section, double width, std::size_t index) {
   constexpr double kTouches = 1e-3;
   const std::array<glm::dvec3, 2> rails{glm::dvec3(0.0), glm::dvec3(width, 0.0, 0.0)};
   std::array<NearestOnCurve, 2> found;
   nearest(section.curve, rails, found, 1);
-  if (std::min(found[0].distance, found[1].distance) <= kTouches * width) return;
+  const Interval domain = section.curve.domain();
+  const std::vector<glm::dvec3> ends = points_of(section.curve, std::vector{domain.start, domain.end}, Side::left);
+  std::array<double, 2> gaps{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double of_ends = std::min(distance_of(ends[0], rails[i]), distance_of(ends[1], rails[i]));
+    gaps[i] = (of_ends <= kTouches * width ? of_ends : found[i].distance) / width;
+  }
+  if (std::min(gaps[0], gaps[1]) <= kTouches) return std::max(gaps[0], gaps[1]);
   throw InvalidShape("sections" + index_text(index) + " touches neither rail: where it is, x is to go from 0, on the first one, to " +
                      text_of(width) + ", on the second one");
 }
 
-/// Sections of which x is 1 at the second rail.
-std::vector<RailSection> of_width_one(const Rails& rails, std::span<const RailSection> sections, double unit_length,
+struct SectionsBetween {
+  std::vector<RailSection> sections;  ///< of which x is 1 at the second rail
+  double gap = 0.0;                   ///< by which they pass by rails, as a part of the width
+};
+
+SectionsBetween of_width_one(const Rails& rails, std::span<const RailSection> sections, double unit_length,
                                       const TwoRailOptions& options) {
-  std::vector<RailSection> made;
+  SectionsBetween made;
   for (const RailSection& section : sections) {
     const double at = std::clamp(section.at, rails.first.domain().start, rails.first.domain().end);
     const double width = places_between(rails, std::span(&at, 1), rails.first.domain(), options)[0].width;
-    require_between(section, width * unit_length, made.size());
+    made.gap = std::max(made.gap, gap_at_rails(section, width * unit_length, made.sections.size()));
     std::vector<glm::dvec4> points(section.curve.points().begin(), section.curve.points().end());
     for (glm::dvec4& p : points) {
       const glm::dvec3 near = glm::dvec3(p) / unit_length;
       p = options.is_height_scaled ? glm::dvec4(near / width, p.w) : glm::dvec4(near.x / width, near.y, near.z, p.w);
     }
-    made.push_back({section.curve.with_points(std::move(points)), section.at});
+    made.sections.push_back({section.curve.with_points(std::move(points)), section.at});
   }
   return made;
 }
@@ -170,14 +192,12 @@ std::vector<double> breaks_of(const Rails& rails, bool has_up, double negligible
 
 /// @throws InvalidShape if on the whole, by their tangents, rails run against each other
 void require_one_way(const Rails& rails) {
-  constexpr int kInSpan = 8;
   double with = 0.0;
   for (const NurbsCurve* const by : {&rails.first, &rails.second}) {
     const KnotVector& knots = by->knot_vector();
     for (int i = 0; i < static_cast<int>(knots.spans().size()); ++i) {
       const Interval span = knots.span_interval(i);
-      std::vector<double> at;
-      for (int k = 0; k < kInSpan; ++k) at.push_back(span.start + span.length() * (k + 0.5) / kInSpan);
+      const std::vector<double> at = inside(span);
       const std::vector<glm::dvec3> first = directions_of(rails.first, at, Side::right);
       const std::vector<glm::dvec3> second = directions_of(rails.second, at, Side::right);
       for (std::size_t k = 0; k < at.size(); ++k) {
@@ -206,7 +226,8 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   const NearSpace space(together(rail.points(), second.points()));
   const Rails rails = prepared(rail, second, space);
   require_one_way(rails);
-  const RailSections along(of_width_one(rails, sections, space.length(1.0), options), rails.first, 1.0);
+  const SectionsBetween between = of_width_one(rails, sections, space.length(1.0), options);
+  const RailSections along(between.sections, rails.first, 1.0);
   const auto rows_at = [&](std::span<const double> at, const Interval& stretch) {
     const std::vector<PlaceBetween> places = places_between(rails, at, stretch, options);
     std::vector<glm::dvec4> rows = along.at(at);
@@ -228,7 +249,9 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, domain, within); });
   along.require_weights(rows);
   const NurbsPatch near = patch_of(along.knots(), rows);
-  return {near.with_points(space.leave(near.points())), space.length(rows.error)};
+  constexpr double kRounding = 0x1p-40;
+  const double off_rails = between.gap > kRounding ? between.gap * largest_distance(rails.first, rails.second) : 0.0;
+  return {near.with_points(space.leave(near.points())), space.length(rows.error + off_rails)};
 }
 
 }  // namespace splinecore

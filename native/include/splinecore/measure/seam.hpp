@@ -12,7 +12,8 @@ namespace splinecore {
 
 /// How smoothly one patch goes on as another across a side of each (S16).
 ///
-/// The single numbers are the largest along the seam. What is measured at one place is NaN where it does not exist:
+/// The single numbers are the largest along the seam that are found at its places, no bounds: where a side all but stands still, or
+/// knots nearly coincide, gap and angle between places are larger by up to 2 % of that, and curvatures more. What is measured at one place is NaN where it does not exist:
 /// all of it at infinity, angle and curvature where the surface has no normal, curvature also where the side stands
 /// still or the surface has none, as at the tip of a cone. Such places count for nothing.
 struct SeamContinuity {

@@ -73,8 +73,9 @@ struct LoftOptions {
 
 /// The surface through sections: u along them, v from one to the next (skinning: The NURBS Book, 10.3; row S20).
 ///
-/// Sections are made compatible(): exactly, unless a tolerance or a distance of knots allows less. Closed ones become
-/// periodic, if all are. Matched corners are first given the same parameters, the means of those that the sections have: pieces
+/// Sections are made compatible(): exactly, unless a tolerance or a distance of knots allows less; knots within 2^-40 of the
+/// domain are one, where that moves no section by more than 2^-40 of the size. Closed ones become periodic, if all are; where
+/// they are aligned, they begin beside where that is best, by 1/512 of the period at most, where they then share knots. Matched corners are first given the same parameters, the means of those that the sections have: pieces
 /// between them run at an even multiple of their pace, closed sections that are aligned begin at a corner, and the surface has
 /// all copies of a knot there. Where corner_counts() differ none is matched. Homogeneous control points are interpolated along v, so that rational sections are exact; where
 /// all have the same weights, these are those of the surface everywhere. Two sections alone are joined by segments, or by
