@@ -155,7 +155,9 @@ def _filling(inputs, continuity, other, tolerance, cancel=None):
     try:
         patches = list(rims.filled(curves, cancel).value)
     except sc.InvalidShape as error:
-        raise refused or Refusal(f"{error}: nothing within it would be plane without a fold") from error
+        if refused and not (len(curves) > 1 and all(map(sections.is_closed, curves))):
+            raise refused
+        raise Refusal(f"{error}: nothing within it would be plane without a fold") from error
     return of_patches(patches, 0.0, "plane")
 
 
