@@ -144,6 +144,8 @@ def draw(layout, data, is_net_out=False):
             row = row.split(factor=0.45 if len(parameter.label) > _SHORT else 0.33, align=True)
             row.label(text=parameter.label)
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
+            if parameter.name == 'edges':
+                row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     for i, _ in enumerate(recipe.lengths):

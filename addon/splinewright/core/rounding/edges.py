@@ -10,6 +10,10 @@ from .body import body_of, require_two
 from .cells import cells_of
 
 
+#: At which an edge of one pair of sides is seen.
+_PLACES = 49
+
+
 class Rounded(NamedTuple):
     patches: list
     error: float
@@ -79,6 +83,15 @@ def numbers_of(text, count):
 def middles_of(shapes):
     """(n, 3): a point on each edge of lists of patches, in the order of their numbers."""
     return np.array([_place_of(edge) for edge in body_between(shapes).edges]).reshape(-1, 3)
+
+
+def lines_of(shapes):
+    """[(n, 3)]: points along each edge of lists of patches, in the order of their numbers; an odd number of them."""
+    return [np.concatenate([_points_of(first.curve) for first, _ in edge.pairs]) for edge in body_between(shapes).edges]
+
+
+def _points_of(curve):
+    return curve.evaluate(np.linspace(*curve.domain, _PLACES))
 
 
 def is_of_planes(body, edge):

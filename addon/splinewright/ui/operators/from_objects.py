@@ -162,6 +162,17 @@ def is_wanted(ob, what):
     return kind in what or not any(word in what for word in ("curve", "surface", "point"))
 
 
+def sources_of(context, recipe):
+    """The selected objects from which a recipe would make a shape, in their order at first."""
+    return _sources(context, recipe)
+
+
+def lacking(context, recipe):
+    """What is to be selected for a recipe that makes shapes from objects, or ""."""
+    operator = next(cls for cls in CLASSES if cls.recipe is recipe)
+    return operator._lacking(_sources(context, recipe))
+
+
 def _has_no_edge(ob):
     with suppress(*FAILURES):
         return shape.has_shape(ob) and 'add_rounded_edge' in surveys.refused(ob.data)
