@@ -158,6 +158,8 @@ def draw(layout, data, is_net_out=False):
         texts.draw_note(layout, f"Within {stored.error:.1e} of what is asked for")
     if stored.said:
         texts.draw_note(layout, stored.said)
+    if stored.warning:
+        texts.draw_note(layout, stored.warning, icon='ERROR')
 
 
 CLASSES = (SplinewrightRecipe,)

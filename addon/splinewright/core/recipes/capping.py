@@ -15,11 +15,11 @@ PARAMETER = Parameter("caps", "Caps", "Which ends are closed; what is closed alt
 _ENDS = {'none': (), 'start': ('start',), 'end': ('end',), 'both': ('start', 'end')}
 
 
-def result(patches, caps, error=0.0, said="", cancel=None):
+def result(patches, caps, error=0.0, said="", cancel=None, warning=""):
     """The Result of patches, each with its own ends, of which `caps` are closed: 'none', 'start', 'end' or 'both'. Raises Refusal
     or an error of the library."""
     if caps == 'none':
-        return of_patches(patches, error, said)
+        return of_patches(patches, error, said, warning)
     ends = [_ends(patch, len(patches) > 1) for patch in patches]
     chosen = [{name: own[name] for name in _ENDS[caps] if name in own} for own in ends]
     left_open = set().union(*(set(_ENDS[caps]) - set(own) for own in chosen))
@@ -32,7 +32,7 @@ def result(patches, caps, error=0.0, said="", cancel=None):
         bends.append(bend)
     told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open),
             *bend_in_words(max(bends, default=0.0))]
-    return of_patches(made, error, ", ".join(filter(None, told)))
+    return of_patches(made, error, ", ".join(filter(None, told)), warning)
 
 
 def _closed(patches, chosen, numbers, cancel):

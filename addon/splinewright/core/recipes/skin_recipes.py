@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, lofts, neighbours, rails, rims, sections, verbs
+from .. import decimals, holes, lofts, neighbours, overlaps, rails, rims, sections, verbs
 from ..failures import Refusal, about_input
 from ..library import sc
 from . import capping
@@ -97,7 +97,7 @@ def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, caps,
         profiles, at = rails.along(rail, profiles, frame)
     made = sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor, tolerance=tolerance,
                           cancel=cancel)
-    return capping.result([made.value], caps, made.error, cancel=cancel)
+    return capping.result([made.value], caps, made.error, cancel=cancel, warning=", ".join(overlaps.of_rail(made.value, rail)))
 
 
 def _two_rails(inputs, height, tolerance, caps, turned, cancel=None):
@@ -116,7 +116,7 @@ def _pipe(inputs, radius, end_radius, own_radius, caps, capped, tolerance, facto
     made = sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel)
     left_out = {'both': (), 'start': (2,), 'end': (1,)}[capped]
     patches = [patch for i, patch in enumerate(made.value) if i not in left_out]
-    return of_patches(patches, made.error)
+    return of_patches(patches, made.error, warning=", ".join(overlaps.of_rail(made.value[0], axis)))
 
 
 def _first_radii(inputs):

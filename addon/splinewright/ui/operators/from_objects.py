@@ -100,7 +100,7 @@ class _FromObjects(LongWork, Repeatable):
             for source in sources:
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
-        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
+        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said))), warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
         """Find out what is not given."""
