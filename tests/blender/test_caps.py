@@ -282,7 +282,7 @@ def test_a_logo_with_several_holes_is_filled_plane_and_follows():
     assert not follow.problem(ob.data) and ob.data.splinewright.value.area() == pytest.approx(area, rel=1e-9)
     curves[1].location.x = 3.3
     bpy.context.view_layer.update()
-    assert "crosses itself or another" in follow.problem(ob.data)
+    assert "cross or touch: what lies between them" in follow.problem(ob.data)
 
 
 @pytest.mark.parametrize('is_editable', (False, True))

@@ -7,7 +7,7 @@ import numpy as np
 from .. import definition as definitions
 from .. import deforming, overlaps
 from ..deformable import revolved
-from ..failures import Refusal, about_input
+from ..failures import AboutInputs, Refusal, about_input
 from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
@@ -126,7 +126,7 @@ def _extrude(inputs, x, y, z, caps):
 def _ruled(inputs, turned):
     first, second = (_curves(inputs, number) for number in range(2))
     if len(first) != len(second):
-        raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
+        raise AboutInputs(f"{{}} has {len(first)} pieces, {{}} has {len(second)}: each is ruled to one", 0, 1)
     return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
 
 
