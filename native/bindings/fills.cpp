@@ -114,12 +114,13 @@ void bind_rims(py::module_& build) {
               }
               return wrap(unlocked([&] { return splinecore::rim_filling(rim); }, cancel));
             }, py::arg("sides"), py::kw_only(), py::arg("cancel") = py::none(),
-            "Patches within curves that go round, in any directions: (value, error), a list of NurbsPatch and how far the curves are\n"
-            "from a plane. u runs along a curve, on its control points, v from there by segments to a point that sees all of the\n"
-            "rim; one that is seen whole from nowhere is cut by chords. Those of a plane rim are plane and do not fold. Normals are\n"
-            "on the side from which the first curve runs to the left.\n\n"
-            "InvalidShape if the curves do not go round, one has a weight that is not positive, or the rim crosses itself, encloses\n"
-            "next to nothing, or has too many narrow bends.");
+            "Patches within curves that go round, in any directions, once or several times: (value, error), a list of NurbsPatch and\n"
+            "how far the curves are from a plane. What is within a loop is a hole of it, and what is within that is filled again.\n"
+            "u runs along a curve, on its control points, v from there by segments to a point that sees all of the rim; one that is\n"
+            "seen whole from nowhere, and one with holes, is cut by chords. Those of a plane rim are plane and do not fold. Normals\n"
+            "are on the side from which the first curve runs to the left, or of several loops the widest one.\n\n"
+            "InvalidShape if the curves do not go round, one has a weight that is not positive, or the rim crosses itself or a hole\n"
+            "in it, encloses next to nothing, or has too many narrow bends.");
   build.def("open_ends", [](const py::object& patches) {
               const std::vector<NurbsPatch> given = patches_of(patches);
               const std::vector<OpenEnd> found = unlocked([&] { return splinecore::open_ends(given); });
@@ -142,8 +143,10 @@ void bind_rims(py::module_& build) {
               return wrap(unlocked([&] { return splinecore::capped(given, chosen); }, cancel));
             }, py::arg("patches"), py::arg("ends") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
             "The patches with a fill_rim() of each of these open_ends(), of all of them where none are given: (value, error), a list\n"
-            "of NurbsPatch and how far rims are from planes. Caps have the control points of the sides that they close, so that the\n"
-            "mesh of all has no open edges there; patches are cut where a rim has to be. Normals of what is closed point outwards.\n\n"
+            "of NurbsPatch and how far rims are from planes. An end may have sides behind its own that go round holes in it; what goes\n"
+            "round these is turned where its normals are on the other side. Caps have the control points of the sides that they close,\n"
+            "so that the mesh of all has no open edges there; patches are cut where a rim has to be. Normals of what is closed point\n"
+            "outwards.\n\n"
             "InvalidShape as fill_rim(), or if a patch that has to be cut shares the side opposite to the end.");
 }
 

@@ -31,7 +31,8 @@ def test_a_curve_operator_makes_a_curve_object_of_exact_points(name, kind):
     ob = add(name)
     value = ob.data.splinewright.value
     assert ob.type == 'CURVE' and ob.select_get() and isinstance(value, kind)
-    (points, closed), = value.polylines(ob.data.splinewright.resolution_u)
+    assert ob.data.splinewright.mode == 'AUTOMATIC'
+    (points, closed), = value.polylines(part('bridge.fineness').steps_of(ob.data, value))
     spline, = ob.data.splines
     assert spline.type == 'POLY' and spline.use_cyclic_u == closed
     assert np.array_equal(curve_points(spline), points.astype(np.float32))

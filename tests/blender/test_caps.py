@@ -259,3 +259,44 @@ def test_a_tube_with_an_inner_tube_is_closed():
     require_closed(ob, 9 * math.pi)
     with pytest.raises(RuntimeError, match="no open end"):
         op(bpy.ops.splinewright.cap)
+
+
+def logo():
+    """A disc with two letters' counters, a bolt hole and what lies in it."""
+    outer = add(CIRCLE, "rim")
+    outer.scale = (5, 5, 5)
+    holes = [add(SQUARE, "counter"), add(polygon((-2, 0), (-1, 0), (-1.5, 2)).reversed(), "A"), add(CIRCLE, "bolt"), add(CIRCLE, "core")]
+    holes[2].location.x, holes[3].location.x = 3.0, 3.0
+    holes[3].scale = (0.4, 0.4, 0.4)
+    bpy.context.view_layer.update()
+    return [outer, *holes], math.pi * (25 - 1 + 0.16) - 2
+
+
+def test_a_logo_with_several_holes_is_filled_plane_and_follows():
+    curves, area = logo()
+    ob = make('filling', *curves)
+    assert ob.data.splinewright.value.area() == pytest.approx(area, rel=1e-9)
+    require_exact(ob)
+    curves[1].location.x = 0.5
+    bpy.context.view_layer.update()
+    assert not follow.problem(ob.data) and ob.data.splinewright.value.area() == pytest.approx(area, rel=1e-9)
+    curves[1].location.x = 3.3
+    bpy.context.view_layer.update()
+    assert "cross or touch: what lies between them" in follow.problem(ob.data)
+
+
+@pytest.mark.parametrize('is_editable', (False, True))
+def test_a_plate_with_bolt_holes_is_capped_watertight(is_editable, tmp_path):
+    plate = add([polygon((-4, -2), (4, -2), (4, 2), (-4, 2)), *(
+        CIRCLE.transformed(np.array([[0.4, 0, 0, x], [0, 0.4, 0, y], [0, 0, 0.4, 0]])) for x in (-3, 0, 3) for y in (-1, 1))], "plate")
+    ob = make('extrude', plate, z=1.0)
+    if is_editable:
+        assert op(bpy.ops.splinewright.make_editable) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.cap) == {'FINISHED'}
+    require_closed(ob, 32 - 6 * 0.16 * math.pi)
+    assert ob.data.splinewright.value.volume() == pytest.approx(32 - 6 * 0.16 * math.pi, rel=1e-9)
+    require_exact(ob)
+    name, value = ob.name, ob.data.splinewright.value
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "plate.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "plate.blend"))
+    assert bpy.data.objects[name].data.splinewright.value == value

@@ -160,7 +160,7 @@ def test_a_recipe_stays_a_recipe(operator):
     held = enter()
     before = state()
     layout = drawn_by(panels.SPLINEWRIGHT_PT_shape, bpy.context)
-    assert "resolution_u" in layout.props
+    assert "mode" in layout.props
     settings().resolution_u = 40
     push()
     assert state()[2] != before[2]

@@ -130,15 +130,17 @@ def test_what_cannot_be_rounded_is_said_and_all_stays(settings, message):
     assert list(bpy.data.objects) == [source] and not source.hide_get()
 
 
-def test_two_edges_that_end_in_a_corner_of_three_are_refused_by_its_name():
+def test_two_edges_that_end_in_a_corner_of_three_meet_there():
     source = add(box(), "box")
     ob = rounded(source, radius=0.2)
     feet = np.array([one.foot for one in sections_overlay.shown(ob)])
     text = ", ".join(str(1 + int(np.abs(feet - place).sum(axis=1).argmin())) for place in ((1.5, 0, 0), (0, 1, 0)))
     source.hide_set(False)
     activate(source)
-    with pytest.raises(RuntimeError, match="the corner of edges .* 2 rounded edges and 3 surfaces meet there"):
-        op(bpy.ops.splinewright.add_rounded_edge, radius=0.2, edges=text)
+    ob = rounded(source, radius=0.2, edges=text)
+    assert open_edges(ob) == 0
+    assert volume_of(ob) == pytest.approx(6 - (1 - np.pi / 4) * 0.04 * 5 + (5 / 3 - np.pi / 2) * 0.008)
+    require_exact(ob)
 
 
 def test_an_extruded_outline_with_caps_is_rounded_and_follows_the_outline():

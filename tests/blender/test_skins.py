@@ -217,7 +217,7 @@ def test_a_section_that_crosses_the_rail_twice_is_refused_where_it_lies():
     ring.location = 2.0, 0.25, 0.0
     bpy.context.view_layer.update()
     before = set(bpy.data.objects)
-    with pytest.raises(RuntimeError, match="section 1 of 1 crosses the rail at 2 places"):
+    with pytest.raises(RuntimeError, match="crosses the rail at 2 places"):
         make('sweep', rail, ring, placed='there')
     assert set(bpy.data.objects) == before
     assert make('sweep', rail, ring, placed='upright').type == 'MESH'
@@ -226,7 +226,7 @@ def test_a_section_that_crosses_the_rail_twice_is_refused_where_it_lies():
 def test_a_section_that_comes_back_to_one_of_two_rails_is_refused():
     rails = [add(FRAME[name], name) for name in ('left', 'right')]
     back = add(line((0, 0.4, 0.32), (0, 0.8, 0.48), (3, 1.2, 0.48)), "back")
-    with pytest.raises(RuntimeError, match="section 1 of 1 crosses the rail at 2 places"):
+    with pytest.raises(RuntimeError, match="crosses the rail at 2 places"):
         make('two_rails', *rails, back)
 
 
@@ -267,7 +267,7 @@ def test_a_network_goes_on_from_a_surface_and_says_how_well():
 def test_a_surface_that_is_not_beside_a_network_is_refused():
     curves = frame()
     activate(*curves, add(sc.build.plane((20, 0, 0), (1, 0, 0), (0, 1, 0)), "far"))
-    with pytest.raises(RuntimeError, match="surface 1 has no side on which a curve lies"):
+    with pytest.raises(RuntimeError, match="has no side on which a curve lies"):
         op(bpy.ops.splinewright.add_network)
 
 
@@ -436,3 +436,29 @@ def test_curves_of_blender_are_sections_too_and_a_deleted_one_leaves_the_surface
     bpy.data.objects.remove(found[1])
     bpy.context.view_layer.update()
     assert ob.data.splinewright.value == before and "deleted" in follow.problem(ob.data)
+
+
+def test_what_crosses_itself_is_made_told_of_in_the_report_and_kept_for_the_panel(tmp_path):
+    rail = add(sc.NurbsCurve(3, [0, 0, 0, 0, 1, 1, 1, 1], [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]), "rail")
+    ob = make('pipe', rail, radius=0.9)
+    assert "the curve bends with a radius of 0.375 at u = 0.5: the surface folds there" in recipes.read(ob.data).warning
+    group = ob.data.splinewright_parameters
+    group.pipe_radius = group.pipe_end_radius = 0.1
+    assert recipes.read(ob.data).warning == ""
+    group.pipe_radius = group.pipe_end_radius = 0.5
+    name = ob.name
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "folds.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "folds.blend"))
+    ob = bpy.data.objects[name]
+    assert "folds there" in recipes.read(ob.data).warning
+    rail = recipes.read(ob.data).sources[0]
+    rail.data.splinewright.value = line((0, 0, 0), (3, 0, 0.1), (6, 0, 0))
+    bpy.context.view_layer.update()
+    assert recipes.read(ob.data).warning == ""
+
+
+def test_revolved_and_extruded_profiles_that_cross_are_told_of():
+    across = add(line((-1, 0, 0), (1, 1, 0), (2, 3, 0)), "across")
+    assert "crosses the axis at u = 0.2192" in recipes.read(make('revolve', across, axis='y').data).warning
+    loop = add(line((0, 0, 0), (2, 2, 0), (2, 0, 0), (0, 2, 0)), "loop")
+    assert "the curve crosses itself at u = 0.05904" in recipes.read(make('extrude', loop).data).warning

@@ -182,7 +182,7 @@ def test_set_origin_takes_the_definition_along(name):
 
 
 def test_apply_on_a_recipe_keeps_the_numbers_that_can_say_it():
-    assert op(bpy.ops.splinewright.add_circle, radius=2.0) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.add_circle, radius=2.0, resolution_u=24) == {'FINISHED'}
     ob = bpy.context.object
     ob.scale = 3.0, 3.0, 3.0
     bpy.context.view_layer.update()

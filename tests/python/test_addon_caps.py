@@ -57,8 +57,28 @@ def test_a_profile_of_several_curves_is_capped_each_alone_and_no_hole_is_covered
     apart = [CIRCLE, moved(SQUARE, x=3.0)]
     assert volume(make('extrude', apart, caps='both')) == pytest.approx(math.pi + 1, rel=1e-9)
     assert volume(make('extrude', [moved(CIRCLE, size=3.0), SQUARE], caps='both')) == pytest.approx(9 * math.pi - 1, rel=1e-9)
-    with pytest.raises(failures.Refusal, match="2 of its curves lie within another"):
-        make('extrude', [moved(CIRCLE, size=9.0), SQUARE, moved(SQUARE, x=2.0)], caps='both')
+    logo = [moved(CIRCLE, size=9.0), moved(CIRCLE, x=4.0), SQUARE, moved(SQUARE, x=-2.0).reversed(), moved(CIRCLE, x=4.0, size=0.3)]
+    assert volume(make('extrude', logo, caps='both')) == pytest.approx(80.09 * math.pi - 2, rel=1e-9)
+    tall = make('extrude', logo, caps='start')
+    assert len(caps.sc.build.open_ends(patches_of(tall))) > 0
+
+
+def test_open_ends_of_what_is_editable_have_holes_too():
+    plate = [moved(polygon((0, 0), (8, 0), (8, 4), (0, 4)), x=-4.0), moved(CIRCLE, x=-2.0, y=2.0), moved(CIRCLE, x=2.0, y=2.0).reversed()]
+    for walls in (make('extrude', plate, z=2.0), make('extrude', plate[::-1], z=-2.0)):
+        found = caps.capped(walls.definition, 'ALL')
+        assert definitions.to_patch_set(found.changed.definition).volume() == pytest.approx(2 * (32 - 2 * math.pi), rel=1e-9)
+        assert found.count == 2
+        again = caps.capped(caps.capped(walls.definition, 'SHORTEST').changed.definition, 'ALL')
+        assert definitions.to_patch_set(again.changed.definition).volume() == pytest.approx(2 * (32 - 2 * math.pi), rel=1e-9)
+
+
+def test_closed_curves_within_one_are_holes_of_what_is_filled():
+    found = make('filling', moved(CIRCLE, size=5.0), moved(CIRCLE, x=2.0), moved(CIRCLE, x=-2.0).reversed())
+    assert definitions.to_patch_set(found.definition).area() == pytest.approx(23 * math.pi, rel=1e-9) and found.said == "plane"
+
+
+def test_rims_that_cross_are_refused():
     with pytest.raises(failures.Refusal, match="cross or touch"):
         make('extrude', [CIRCLE, SQUARE], caps='both')
     with pytest.raises(failures.Refusal, match="one of its curves is open"):

@@ -182,13 +182,16 @@ def _at(patch, fractions):
     return patch.evaluate(*(start + (end - start) * fraction for fraction, (start, end) in zip(fractions, patch.domain)))
 
 
-def test_the_verb_refuses_what_it_cannot_close_by_name():
-    bowl = build.cone((0, 0, 0), (0, 0, 1), 1.0, 2.0, 0.0)
+def test_several_tubes_and_a_bowl_in_a_tube():
     tubes = [OUTER[0], *(build.extrude(moved(CIRCLE, x=x, size=0.5), (0, 0, 3)) for x in (0.6, -0.6))]
-    with pytest.raises(failures.Refusal, match="2 open ends lie within the end of patch 1"):
-        caps.capped(definitions.from_value(sc.PatchSet.from_patches(tubes)), 'ALL')
-    with pytest.raises(failures.Refusal, match="from end to end"):
-        caps.capped(definitions.from_value(sc.PatchSet.from_patches([OUTER[0], bowl])), 'ALL')
+    found = caps.capped(definitions.from_value(sc.PatchSet.from_patches(tubes)), 'ALL')
+    assert definitions.to_patch_set(found.changed.definition).volume() == pytest.approx(10.5 * math.pi, rel=1e-9)
+    bowl = build.cone((0, 0, 0), (0, 0, 1), 1.0, 2.0, 0.0)
+    found = caps.capped(definitions.from_value(sc.PatchSet.from_patches([OUTER[0], bowl])), 'ALL')
+    assert definitions.to_patch_set(found.changed.definition).volume() == pytest.approx((12 - 2 / 3) * math.pi, rel=1e-9)
+
+
+def test_the_verb_refuses_what_it_cannot_close_by_name():
     crossing = build.extrude(moved(CIRCLE, x=1.5), (0, 0, 3))
     with pytest.raises(failures.Refusal, match="cross or touch in one plane"):
         caps.capped(definitions.from_value(sc.PatchSet.from_patches([OUTER[0], crossing])), 'ALL')

@@ -10,8 +10,9 @@ import bpy
 import numpy as np
 
 from ..core import definition as definitions
+from ..core import verbs
 from ..core.failures import Refusal
-from . import animation, blocks, fineness, follow, shape, stamp, store, write_mesh
+from . import animation, blocks, fineness, follow, recipes, settings, shape, stamp, store, write_mesh
 from .native import native_links
 
 KEY = "splinewright_baked"
@@ -27,6 +28,7 @@ class Take:
     frames: list
     points: list = field(default_factory=list)      # of (n, 3) float32, one for each frame
     faces: object = None                            # the Tessellation with these points, None for what the data-block has
+    steps: int = 0                                  # into how many pieces spans of curves are cut then, 0 for as they are
 
     @property
     def moves(self):
@@ -72,6 +74,27 @@ class _ByNeed:
         return self._take
 
 
+class _LinesByNeed:
+    """Makes the Take of curves whose spans have as many pieces as each frame needs: as many as the frame that needs the most."""
+
+    def __init__(self, data, frames):
+        self._data, self._take, self._curves = data, Take(list(frames)), []
+
+    def look(self, frame):
+        curves = verbs.curves_of(store.read(self._data))
+        self._curves.append((curves, recipes.around(self._data)))
+        self._take.steps = max(self._take.steps, *(fineness.steps_of(self._data, curve) for curve in curves))
+
+    def take(self):
+        reach, steps = settings.of(self._data).reach, self._take.steps
+        for frame, (curves, around) in zip(self._take.frames, self._curves):
+            lines = [points for curve in curves for points, _ in curve.polylines(steps, reach, around)]
+            self._take.points.append(np.concatenate(lines).astype(np.float32))
+            if len(self._take.points[-1]) != len(self._take.points[0]):
+                raise Refusal(_OTHER_TOPOLOGY.format(self._data.name, frame, self._take.frames[0]))
+        return self._take
+
+
 def _patch_set(data):
     return definitions.to_patch_set(store.read(data))
 
@@ -91,7 +114,7 @@ def record(scene, shapes, frames):
 
 
 def _recorded(scene, shapes, frames):
-    makers = {data: (_ByNeed if _is_by_need(data) else _AsShown)(data, frames) for data in shapes}
+    makers = {data: _maker_for(data)(data, frames) for data in shapes}
     was, within = scene.frame_current, scene.frame_subframe
     try:
         for frame in frames:
@@ -104,8 +127,10 @@ def _recorded(scene, shapes, frames):
     return {data: maker.take() for data, maker in makers.items()}
 
 
-def _is_by_need(data):
-    return isinstance(data, bpy.types.Mesh) and not fineness.by_count(data)
+def _maker_for(data):
+    if fineness.by_count(data):
+        return _AsShown
+    return _ByNeed if isinstance(data, bpy.types.Mesh) else _LinesByNeed
 
 
 _OTHER_TOPOLOGY = ("{0} has other faces, or points, at frame {1} than at frame {2}, and shape keys only move them: "
@@ -138,6 +163,10 @@ def bake(data, take):
     baked.name = f"{data.name} Baked"
     if take.faces is not None:
         shape.rewrite(baked, faces=take.faces)
+    if take.steps:
+        with settings.quiet(baked):
+            settings.set_count(baked, take.steps, take.steps)
+        shape.rewrite(baked)
     shape.detach(baked)
     if isinstance(baked, bpy.types.Mesh):
         write_mesh.let_normals_turn(baked)

@@ -49,6 +49,7 @@ class FileState:
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
     sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
+    rounding: tuple = None                              # while edges are picked that are rounded: ui.edges_overlay.Edges
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
     drawn_stroke: tuple = ()                            # while one is drawn: its points
     contour: tuple = None                               # while one is drawn: the core.contours.Contour, and that with the next point

@@ -5,6 +5,7 @@ import math
 import numpy as np
 from mathutils import Matrix
 
+from ..core import curve_steps
 from ..core.failures import Refusal
 from ..core.library import sc
 from . import settings
@@ -13,6 +14,8 @@ from .settings import ANGLE, AUTOMATIC, BOTH, COUNT, TOLERANCE
 #: Automatic faces come as near to a surface as this part of its size, and normals turn by no more on a face, in radians, but where
 #: faces are this part of its size already: beside poles, in folds and round sharp bends.
 _SHARE, _TURN, _SMALLEST = 1e-3, math.radians(15.0), 1 / 200
+#: By so much curves turn at most on a piece of what is shown of them automatically.
+_PIECE_TURN = math.radians(4.0)
 
 
 def of(data):
@@ -22,8 +25,18 @@ def of(data):
 
 
 def by_count(data):
-    """Whether the faces do not depend on where the points lie."""
+    """Whether the faces, or the pieces of curves, do not depend on where the points lie."""
     return settings.of(data).mode == COUNT
+
+
+def steps_of(data, curve):
+    """Into how many pieces every span of a curve is cut that a data-block shows."""
+    mode, count, _, tolerance, angle = of(data)
+    if mode == COUNT:
+        return count
+    if mode == AUTOMATIC:
+        return curve_steps.steps(curve, _PIECE_TURN) or count
+    return curve_steps.steps(curve, angle if mode in (ANGLE, BOTH) else None, tolerance if mode in (TOLERANCE, BOTH) else None) or count
 
 
 def tessellated(data, patch_set):

@@ -45,6 +45,7 @@ class Stored(NamedTuple):
     frames: tuple                       # objects of which the place and axes alone count, None for a deleted one
     error: float                        # how far what it made may lie from what it should be
     said: str                           # what was achieved beside that, in words
+    warning: str                        # what is wrong with what it made, in words
 
 
 def has(data):
@@ -135,7 +136,7 @@ def read(data):
         sources = _sources(group, recipe)
         return Stored(recipe, _values(group, recipe), _points(group, recipe), sources, _flags(group, _WAS_SHAPE, sources),
                       _flags(group, _TURNED, sources), _frames(group, recipe), _number(group.get('error', 0.0)),
-                      str(group.get('said', "")))
+                      str(group.get('said', "")), str(group.get('warning', "")))
     except (TypeError, ValueError, AttributeError, OverflowError) as error:
         raise _damaged(data, error) from error
 
@@ -308,7 +309,7 @@ def write_achieved(data, result):
 
 
 def _achieved(result):
-    return {'error': float(result.error), 'said': result.said}
+    return {'error': float(result.error), 'said': result.said, 'warning': result.warning}
 
 
 def write_made(data, recipe, values, rows, error):

@@ -3,6 +3,7 @@
 import math
 from contextlib import contextmanager
 
+import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from .file_state import key, state
@@ -113,12 +114,20 @@ def _changed(self, context):
         self.changed(context)
 
 
+def _counted(self, context):
+    """A number that is given counts from then on."""
+    if self.mode == AUTOMATIC and not is_quiet(self.id_data):
+        with quiet(self.id_data):
+            self.mode = COUNT
+    _changed(self, context)
+
+
 def mode_property(default=COUNT, **more):
     return EnumProperty(
-        name="Faces", description="How many faces show the surface",
+        name="Faces", description="How many faces show the surface, or straight pieces the curve",
         items=((COUNT, "By Count", "So many in every span"),
-               (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface: few where it is flat"),
-               (ANGLE, "By Angle", "As many as it takes for normals to turn by no more than an angle on a face"),
+               (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface or curve: few where it is flat"),
+               (ANGLE, "By Angle", "As many as it takes to turn by no more than an angle on a face or piece"),
                (BOTH, "By Both", "As many as tolerance and angle take together"),
                (AUTOMATIC, "Automatic", "As many as it takes to look smooth as a whole: by a tolerance that suits its size, and by "
                 "angle")),
@@ -146,10 +155,10 @@ class Settings:
     angle: angle_property(update=_changed)
     resolution_u: IntProperty(
         name="Resolution U", description="Steps in every span along u",
-        default=12, min=1, max=4096, soft_max=64, update=_changed)
+        default=12, min=1, max=4096, soft_max=64, update=_counted)
     resolution_v: IntProperty(
         name="Resolution V", description="Steps in every span along v",
-        default=12, min=1, max=4096, soft_max=64, update=_changed)
+        default=12, min=1, max=4096, soft_max=64, update=_counted)
     sharp_angle: FloatProperty(
         name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
         default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_changed)

@@ -226,7 +226,7 @@ def faces_of(data):
 def lines_of(data, curve, around=None):
     """The polylines by which a data-block shows one of its curves; around as of set_definition()."""
     chosen = settings.of(data)
-    return curve.polylines(chosen.resolution_u, chosen.reach, around)
+    return curve.polylines(fineness.steps_of(data, curve), chosen.reach, around)
 
 
 def points_of(data):

@@ -61,9 +61,17 @@ def edges_of(data, sources, matrices):
     store.UnreadableDefinition and Refusal."""
     key = 'edges', data.name, *(store.digest(source.data) for source in sources), *(matrix.tobytes() for matrix in matrices)
     if key not in state.surveys:
-        shapes = [verbs.pieces_of(transform.transformed(store.read(source.data), matrix)) for source, matrix in zip(sources, matrices)]
-        remember(state.surveys, key, rounding.middles_of(shapes), _KEPT)
+        remember(state.surveys, key, rounding.middles_of(_shapes_of(sources, matrices)), _KEPT)
     return state.surveys[key]
+
+
+def edge_lines_of(sources, matrices):
+    """[(n, 3)]: polylines of the edges of shapes under matrices, as Round Edge numbers them. Raises as edges_of() does."""
+    return rounding.lines_of(_shapes_of(sources, matrices))
+
+
+def _shapes_of(sources, matrices):
+    return [verbs.pieces_of(transform.transformed(store.read(source.data), matrix)) for source, matrix in zip(sources, matrices)]
 
 
 def refused(data):

@@ -28,16 +28,18 @@ def capped(definition, ends, cancel=None):
     groups = [*([end] for end in whole), *(list(ring.ends) for ring in rings)]
     groups.sort(key=lambda group: sum(patches[i].boundary(side).length(tolerance=1e-6) for i, side in group[0]))
     chosen = {'ALL': groups, 'SHORTEST': groups[:1], 'LONGEST': groups[-1:]}[ends]
-    if any(len(group) > 1 for group in chosen):
-        return caps_in_caps.capped(definition, before, patches, chosen, rings, cancel)
-    return _with_caps(definition, before, patches, [group[0] for group in chosen], cancel)
+    own = [ring for ring in rings if list(ring.ends) in chosen]
+    if own and all(ring.is_simple for ring in own):
+        try:
+            return caps_in_caps.capped(definition, before, patches, chosen, rings, cancel)
+        except Refusal:
+            pass
+    return _with_caps(definition, before, patches, [[side for end in group for side in end] for group in chosen], cancel)
 
 
 def _with_caps(definition, before, patches, chosen, cancel):
     made, bend = sc.build.cap(patches, chosen, cancel=cancel)
-    is_turned = not _are_parts(made[0], patches[0])
-    own = [patch.reversed('u') for patch in made] if is_turned else made
-    after, parents, lie = _parts_of(own, patches, is_turned)
+    after, parents, lie, is_turned = _parts_of(made, patches)
     if len(after) == len(before) and not is_turned:
         after = list(before)
     count, beside = len(after), chosen[0][0][0]
@@ -56,17 +58,20 @@ def _is_flat(patches):
     return bool(spread[2] <= 1e-9 * spread[0])
 
 
-def _parts_of(made, patches, is_turned):
-    """(the patches as they are made, the numbers of those they came of, their core.places.Places): each is whole or cut in parts."""
-    after, parents, lie = [], [], []
+def _parts_of(made, patches):
+    """(the patches as they are made, the numbers of those they came of, their core.places.Places, whether some are turned): each is
+    whole or cut in parts."""
+    after, parents, lie, are_turned = [], [], [], False
     at = 0
     for number, patch in enumerate(patches):
-        first = made[at]
+        is_turned = not _are_parts(made[at], patch)
+        are_turned = are_turned or is_turned
+        first = made[at].reversed('u') if is_turned else made[at]
         axis = 'u' if first.domain[0] != patch.domain[0] or first.periodic[0] != patch.periodic[0] else 'v'
         (start, end), origin = patch.domain['uv'.index(axis)], first.domain['uv'.index(axis)][0]
         length, reached = end - start, origin
         while reached < origin + length * (1.0 - 1e-9):
-            part = made[at]
+            part = made[at].reversed('u') if is_turned else made[at]
             low, high = part.domain['uv'.index(axis)]
             stretches = places.opened(places.WHOLE, (origin - start) / length) if origin != start else places.WHOLE
             stretches = places.cut(stretches, (low - origin) / length, min(1.0, (high - origin) / length))
@@ -74,12 +79,12 @@ def _parts_of(made, patches, is_turned):
                 stretches = places.WHOLE
             place = places.Place(stretches, places.WHOLE) if axis == 'u' else places.Place(places.WHOLE, stretches)
             if is_turned:
-                part, place = part.reversed('u'), place._replace(u=places.reversed_(place.u))
-            after.append(part)
+                place = place._replace(u=places.reversed_(place.u))
+            after.append(made[at])
             parents.append(number)
             lie.append(place)
             reached, at = high, at + 1
-    return after, parents, lie
+    return after, parents, lie, are_turned
 
 
 def _are_parts(part, patch):

@@ -1,4 +1,4 @@
-"""Caps with holes: an open end within another one, in its plane, is closed with that by a ring."""
+"""Caps with holes: open ends within another one, in its plane, are closed with that; a single one by a ring."""
 
 from typing import NamedTuple
 
@@ -17,25 +17,31 @@ class Capped(NamedTuple):
 
 
 class Ring(NamedTuple):
-    """An open end, and the one within it."""
+    """An open end, and those within it."""
 
-    ends: tuple                         # two as splinecore.build.open_ends gives them
-    patches: tuple                      # the numbers of the two patches that alone go round them
+    ends: tuple                         # as splinecore.build.open_ends gives them, the outer one first
+
+    @property
+    def patches(self):
+        """The numbers of the patches that go round them first."""
+        return tuple(end[0][0] for end in self.ends)
+
+    @property
+    def is_simple(self):
+        """Whether it is of two patches that alone go round its ends."""
+        return len(self.ends) == 2 and all(len(end) == 1 for end in self.ends)
 
 
 def rings_of(patches, ends):
-    """The Rings that open ends are. Raises Refusal where an end has several others in it, or a ring cannot be made."""
+    """The Rings that open ends are. Raises Refusal where rims cross."""
     rims = [_rim(patches, end) for end in ends]
     pairs = {(i, k) for i, inner in enumerate(rims) for k, rim in enumerate(rims) if i != k and hollow.is_within(inner, rim)}
     depths = [sum(i == inner for inner, _ in pairs) for i in range(len(ends))]
     found = []
     for number in (i for i, depth in enumerate(depths) if depth % 2 == 0):
         inside = [inner for inner, rim in pairs if rim == number and depths[inner] == depths[number] + 1]
-        if len(inside) > 1:
-            raise Refusal(f"{len(inside)} open ends lie within the end of {_named(ends[number])}: a cap with one hole can be made, "
-                          "not one with several")
         if inside:
-            found.append(_ring(ends[number], ends[inside[0]]))
+            found.append(Ring((ends[number], *(ends[i] for i in sorted(inside)))))
     return found
 
 
@@ -44,19 +50,6 @@ def _rim(patches, end):
     curves = [patches[i].boundary(side) for i, side in end]
     joined = sc.build.join_curves(curves, 1e-6 * sections.size_of(curves)) if len(curves) > 1 else curves
     return joined[0]
-
-
-def _named(end):
-    numbers = sorted({i + 1 for i, _ in end})
-    return f"patch{'es' if len(numbers) > 1 else ''} {', '.join(map(str, numbers))}"
-
-
-def _ring(outer, inner):
-    if len(outer) > 1 or len(inner) > 1:
-        several = outer if len(outer) > 1 else inner
-        raise Refusal(f"an open end lies within another, and {_named(several)} go round it together: a cap with a hole takes one patch "
-                      "round each rim")
-    return Ring((outer, inner), (outer[0][0], inner[0][0]))
 
 
 def capped(definition, before, patches, chosen, rings, cancel=None):

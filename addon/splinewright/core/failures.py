@@ -4,6 +4,7 @@ A Refusal, an error of the library, a file that cannot be reached and memory tha
 as sentences. Anything else is a mistake of ours: its traceback is shown.
 """
 
+import re
 import traceback
 from contextlib import contextmanager
 
@@ -40,6 +41,27 @@ def about_input(number):
     except Refusal as error:
         text = str(error).replace("{", "{{").replace("}", "}}")
         raise AboutInputs(f"{{}}: {text}", number) from error
+
+
+@contextmanager
+def about_items(**numbers):
+    """What the library refuses in here of items that it counts, such as sections[2], or side 2, lies in inputs: for the name of what
+    it counts their numbers from 0."""
+    try:
+        yield
+    except (sc.InvalidShape, sc.ToleranceNotReached) as error:
+        found = []
+
+        def put(match):
+            name, index = match.group(1), int(match.group(2))
+            if index >= len(numbers[name]):
+                return match.group(0)
+            found.append(numbers[name][index])
+            return "{}"
+        text = re.sub(rf"\b({'|'.join(numbers)})(?:\[| )(\d+)\b\]?", put, str(error).replace("{", "{{").replace("}", "}}"))
+        if not found:
+            raise
+        raise AboutInputs(text, *found) from error
 
 
 #: What a modeller is told of; where the library is missing, nothing of its own.

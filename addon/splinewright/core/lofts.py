@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import patch_curves, patch_joints, sections, verbs
-from .failures import AboutInputs, Refusal
+from .failures import AboutInputs, Refusal, about_items
 from .library import sc
 
 #: Surfaces with which a loft goes on, by how it begins or ends.
@@ -91,8 +91,9 @@ def loft(found, start, end, is_aligned, is_matched, **options):
         sides += [inner[at]] if _is_side_of(inner[at], neighbour) else []
     inner = [one for one in inner if not any(one is side for side in sides)]
     corners = 'matched' if is_matched else 'free'
-    made = sc.build.loft([one.taken for one in inner], align=is_aligned, turned=[one.is_turned for one in inner], corners=corners,
-                         **more, **options)
+    with about_items(sections=[one.number for one in inner]):
+        made = sc.build.loft([one.taken for one in inner], align=is_aligned, turned=[one.is_turned for one in inner], corners=corners,
+                             **more, **options)
     return made, _unmatched(inner, is_aligned) if is_matched else ""
 
 

@@ -3,22 +3,22 @@
 import numpy as np
 
 from . import patch_curves, sections
-from .failures import Refusal
+from .failures import AboutInputs
 
 #: Places so near the ends of a border are left out: there may be no normal.
 _INSIDE = slice(1, -1)
 
 
-def beside(shapes, curves, tolerance):
-    """(patch, side, 'G1') of each side of the shapes, lists of patches, on which one of the curves lies. Raises Refusal for a
-    shape that has none."""
+def beside(shapes, curves, tolerance, numbers):
+    """[((patch, side, 'G1'), the number of its shape)] of each side of the shapes, lists of patches of these numbers among the
+    inputs, on which one of the curves lies. Raises AboutInputs for a shape that has none."""
     found = []
-    for number, pieces in enumerate(shapes):
+    for number, pieces in zip(numbers, shapes):
         own = [(piece, name, 'G1') for piece in pieces for name in patch_curves.SIDES
                if _has_curve(piece, name, curves, tolerance)]
         if not own:
-            raise Refusal(f"surface {number + 1} has no side on which a curve lies within {tolerance:.2g}")
-        found += own
+            raise AboutInputs(f"{{}} has no side on which a curve lies within {tolerance:.2g}", number)
+        found += [(side, number) for side in own]
     return found
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import flat, sections
-from .failures import Refusal
+from .failures import AboutInputs
 
 _UP = np.array([0.0, 0.0, 1.0])
 #: Of the size of a rail: what a section may miss it by and still cross it.
@@ -54,25 +54,27 @@ def _places_on(rail, profiles):
     return rail.nearest(middles).parameters
 
 
-def _require_one_place(rail, profiles):
-    """Raises Refusal for a section that crosses a rail at several places: it belongs to none of them."""
+def _require_one_place(rail, profiles, first):
+    """Raises AboutInputs for a section that crosses a rail at several places: it belongs to none of them. first: the number of the
+    first section among the inputs."""
     reach = _TOUCH * sections.size_of([rail])
-    for i, profile in enumerate(profiles, 1):
+    for i, profile in enumerate(profiles, first):
         met = rail.intersections(profile, tolerance=reach)
         places = rail.evaluate(np.concatenate([met.parameters[:, 0], met.overlaps[:, 0].ravel()]))
         if len(places) > 1 and np.linalg.norm(places - places[0], axis=1).max() > 2 * reach:
-            raise Refusal(f"section {i} of {len(profiles)} crosses the rail at {len(places)} places: it belongs to one of them alone")
+            raise AboutInputs(f"{{}} crosses the rail at {len(places)} places: it belongs to one of them alone", i)
 
 
 def along(rail, profiles, frame):
-    """(profiles in the frame of a rail where they lie, the parameters there), in the order along it. Raises Refusal."""
-    _require_one_place(rail, profiles)
+    """(profiles in the frame of a rail where they lie, the parameters there, their numbers from 0), in the order along it. Raises
+    AboutInputs."""
+    _require_one_place(rail, profiles, 1)
     at = _places_on(rail, profiles)
     order = np.argsort(at, kind='stable')
     frames = _frames(rail, at, frame)
     points = rail.evaluate(at)
     moved = [profiles[i].transformed(_into(points[i], frames[i])) for i in order]
-    return moved, at[order] if len(order) > 1 else None
+    return moved, at[order] if len(order) > 1 else None, order.tolist()
 
 
 def _frames(rail, at, frame):
@@ -120,15 +122,15 @@ def running_with(first, second):
 
 
 def between(first, second, profiles):
-    """(profiles in the frame between two rails where they lie, the parameters of the first rail there), in the order along it.
-    Each is turned so that it starts at the first rail. Raises Refusal."""
+    """(profiles in the frame between two rails where they lie, the parameters of the first rail there, their numbers from 0), in the
+    order along it. Each is turned so that it starts at the first rail. Raises AboutInputs."""
     for rail in (first, second):
-        _require_one_place(rail, profiles)
+        _require_one_place(rail, profiles, 2)
     profiles = [_from_first(first, second, profile) for profile in profiles]
     at = first.nearest(np.array([sections.ends(profile)[0] for profile in profiles])).parameters
     order = np.argsort(at, kind='stable')
     moved = [profiles[i].transformed(_between(first, second, at[i])) for i in order]
-    return moved, at[order] if len(order) > 1 else None
+    return moved, at[order] if len(order) > 1 else None, order.tolist()
 
 
 def _from_first(first, second, profile):

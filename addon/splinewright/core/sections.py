@@ -101,7 +101,7 @@ def loop(curves, tolerance):
 
 
 def families(curves, gap, numbers):
-    """(curves, curves): those of a network, each of which comes within a gap of all of the other family and of none of its own.
+    """Two lists of (curve, its number): those of a network, each of which comes within a gap of all of the other family and of none of its own.
     numbers: of the curves among the inputs. Raises Refusal."""
     reach = max(gap, _MEET * size_of(curves))
     meets = np.zeros((len(curves), len(curves)), bool)
@@ -120,9 +120,11 @@ def families(curves, gap, numbers):
         apart, nearest = min((_apart(curves[alone[0]], curves[j]), j) for j in range(len(curves)) if j != alone[0])
         raise AboutInputs(f"{{}} meets no other curve: it comes to about {decimals.text_of(apart, 2)} of {{}}, the gap that is "
                           f"allowed is {decimals.text_of(reach, 2)}", numbers[alone[0]], numbers[nearest])
-    if any(meets[i, j] and family[i] == family[j] for i in family for j in family):
-        raise Refusal("the curves are not two families that run across each other: three of them meet one another")
-    return tuple([curves[i] for i in range(len(curves)) if family[i] == wanted] for wanted in (0, 1))
+    both = next(((i, j) for i in sorted(family) for j in sorted(family) if meets[i, j] and family[i] == family[j]), None)
+    if both:
+        raise AboutInputs("{} and {} meet each other, and others that both meet: the curves are not two families that run across each "
+                          "other", *(numbers[i] for i in both))
+    return tuple([(curves[i], numbers[i]) for i in range(len(curves)) if family[i] == wanted] for wanted in (0, 1))
 
 
 def _apart(a, b):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, contour_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
+from . import (aim_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
                seams_overlay, sections_overlay, sights_overlay, stopped, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
@@ -18,6 +18,7 @@ _DRAWS = (
     (pen_overlay.draw, 'POST_VIEW'),
     (contour_overlay.draw, 'POST_VIEW'),
     (axis_overlay.draw, 'POST_VIEW'), (sections_overlay.draw, 'POST_VIEW'), (sections_overlay.draw_numbers, 'POST_PIXEL'),
+    (edges_overlay.draw, 'POST_VIEW'), (edges_overlay.draw_numbers, 'POST_PIXEL'),
     (measure_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
     (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'),

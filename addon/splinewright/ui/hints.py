@@ -60,7 +60,7 @@ def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
         return True
-    return bool(state.aimed or state.pulled or state.weighing or state.picking or state.moved_knot or state.measured)
+    return bool(state.aimed or state.pulled or state.weighing or state.picking or state.rounding or state.moved_knot or state.measured)
 
 
 def _icons(item):

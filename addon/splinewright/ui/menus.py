@@ -170,6 +170,7 @@ class SPLINEWRIGHT_MT_from_surfaces(bpy.types.Menu):
     def draw(self, context):
         self.layout.operator_context = 'INVOKE_REGION_WIN'
         _draw_made(self.layout, FROM_SURFACES, context.selected_objects)
+        self.layout.operator("splinewright.round_here", icon='EYEDROPPER')
 
 
 #: Names of operators and menus, with what they concern, in groups.

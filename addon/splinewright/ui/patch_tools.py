@@ -18,7 +18,7 @@ _GROUPS = (
     ("Curves", ('extract_isocurve', 'extract_boundary')),
 )
 #: On what is at the mouse.
-BY_MOUSE = ('insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here')
+BY_MOUSE = ('insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here', 'round_here')
 
 
 class SPLINEWRIGHT_MT_patch(bpy.types.Menu):

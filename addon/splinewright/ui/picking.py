@@ -13,6 +13,8 @@ from ..core import aiming
 
 #: How near to a curve or a number the mouse must be, in pixels.
 _NEAR = 18.0
+#: A place is hidden by what lies before it by this part of how far it is from the eye.
+_LIFT = 0.01
 
 
 def face_seen(context, region, view, pixel, depsgraph, ignored, most=64):
@@ -133,6 +135,26 @@ def _line_at(region, view, pixel, ob):
 def distance(line, pixel):
     """From a pixel to a polyline (n, 2); a part with an end that is nan is none of it."""
     return float(np.nanmin(_parts(line, pixel)[1], initial=np.inf))
+
+
+def nearest_place(region, view, line, pixel):
+    """(distance in pixels, (3,)): of the place of a polyline (n, 3) of the world that is nearest to a pixel of a region."""
+    part, distances = _parts(on_screen(region, view, np.eye(4), line), pixel)
+    if np.isnan(distances).all():
+        return np.inf, line[0]
+    i = int(np.nanargmin(distances))
+    return float(distances[i]), line[i] + part[i] * (line[i + 1] - line[i])
+
+
+def is_seen(context, region, view, place, depsgraph):
+    """Whether nothing stands before a place of the world; what lies about there does not."""
+    pixel = on_screen(region, view, np.eye(4), np.asarray(place)[None])[0]
+    found = face_seen(context, region, view, pixel, depsgraph, ())
+    if found is None:
+        return True
+    origin = view3d_utils.region_2d_to_origin_3d(region, view, pixel)
+    far = (Vector(place) - origin).length
+    return (found[2] - origin).length >= far - _LIFT * max(view.view_distance, far)
 
 
 def _parts(line, pixel):

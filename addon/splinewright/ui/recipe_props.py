@@ -144,6 +144,8 @@ def draw(layout, data, is_net_out=False):
             row = row.split(factor=0.45 if len(parameter.label) > _SHORT else 0.33, align=True)
             row.label(text=parameter.label)
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
+            if parameter.name == 'edges':
+                row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     for i, _ in enumerate(recipe.lengths):
@@ -156,6 +158,8 @@ def draw(layout, data, is_net_out=False):
         texts.draw_note(layout, f"Within {stored.error:.1e} of what is asked for")
     if stored.said:
         texts.draw_note(layout, stored.said)
+    if stored.warning:
+        texts.draw_note(layout, stored.warning, icon='ERROR')
 
 
 CLASSES = (SplinewrightRecipe,)

@@ -9,6 +9,7 @@ import gpu
 import numpy as np
 
 from ..bridge import placing, recipes, shape, store, surveys
+from ..bridge.file_state import state
 from ..core import sections, verbs
 from ..core.failures import FAILURES
 from . import numbers_overlay, picking, strokes
@@ -69,7 +70,8 @@ def _section(number, source, is_turned):
 
 
 def _of_context():
-    return shown(bpy.context.object) if bpy.context.space_data.overlay.show_overlays else []
+    is_asked = bpy.context.space_data.overlay.show_overlays and state.rounding is None
+    return shown(bpy.context.object) if is_asked else []
 
 
 def draw():

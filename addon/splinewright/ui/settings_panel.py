@@ -13,7 +13,10 @@ def draw(layout, data, definition, has_buttons=True):
     settings = data.splinewright
     column = layout.column(align=True)
     if definition.has_curves:
-        column.prop(settings, "resolution_u", text="Resolution")
+        column.prop(settings, "mode", text="Pieces")
+        if settings.mode == fineness.COUNT:
+            column.prop(settings, "resolution_u", text="Resolution")
+        _draw_limits(column, settings)
         if definition.runs_to_infinity or _is_endless(data):
             column.prop(settings, "reach")
     else:
@@ -45,6 +48,10 @@ def _draw_fineness(column, settings, has_buttons):
     if settings.mode == fineness.COUNT:
         column.prop(settings, "resolution_u")
         column.prop(settings, "resolution_v")
+    _draw_limits(column, settings, has_buttons)
+
+
+def _draw_limits(column, settings, has_buttons=False):
     if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
         row = column.row(align=True)
         row.prop(settings, "tolerance")

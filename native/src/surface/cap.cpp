@@ -22,11 +22,11 @@ namespace splinecore {
 namespace {
 
 constexpr int kMostRounds = 10;          // of cutting: at corners, and then in halves
-constexpr std::size_t kMostSides = 128;  // of a rim that is cut
+constexpr std::size_t kMostSides = 128;  // of a rim that is cut, and of each hole in it
 
 const char* const kNotSeen =
-    "the rim is seen whole from no point, and no chords between its corners cut it into parts that are: it crosses itself, "
-    "or has too many narrow bends";
+    "the rim is seen whole from no point, and no chords between its corners cut it into parts that are: it crosses itself or another "
+    "one, or has too many narrow bends";
 
 /// Where the curves of sides are cut in a round.
 std::vector<double> cuts_of(const NurbsCurve& curve, int round) {
@@ -57,15 +57,19 @@ std::vector<NurbsCurve> parts_of(NurbsCurve curve, const std::vector<double>& cu
   return parts;
 }
 
-std::vector<RimSide> rim_of(std::span<const NurbsCurve> sides, std::span<const RimOrder> order) {
-  std::vector<RimSide> rim;
-  for (const RimOrder& one : order) rim.push_back({sides[one.side], one.is_reversed});
-  return rim;
+std::vector<RimLoop> loops_of(std::span<const NurbsCurve> sides, std::span<const std::vector<RimOrder>> orders) {
+  std::vector<RimLoop> loops;
+  for (const auto& order : orders) {
+    loops.emplace_back();
+    for (const RimOrder& one : order) loops.back().push_back({sides[one.side], one.is_reversed});
+  }
+  return loops;
 }
 
 /// What of a shape is one with what.
 struct OpenSides {
   std::vector<std::array<int, 4>> counts;  ///< of each patch, how many sides each of its sides is; 0 for a pole
+  std::vector<std::array<int, 4>> edges;   ///< of each patch, the numbers of its sides: what is one has one; -1 for a pole
 };
 
 PatchSet set_of(std::span<const NurbsPatch> patches) {
@@ -77,10 +81,11 @@ OpenSides open_sides(std::span<const NurbsPatch> patches) {
   const PatchSet set = set_of(patches);
   const std::vector<Panel> panels = panels_of(set);
   const std::vector<int> counts = side_counts(panels);
-  OpenSides found{std::vector<std::array<int, 4>>(patches.size())};
+  OpenSides found{std::vector<std::array<int, 4>>(patches.size()), std::vector<std::array<int, 4>>(patches.size())};
   if (panels.size() != patches.size()) throw InvalidShape("a patch is in several pieces: they have open ends of their own");
   for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
+      found.edges[panel.patch][side] = panel.sides[side].edge;
       found.counts[panel.patch][side] = panel.sides[side].edge < 0 ? 0 : counts[panel.sides[side].edge];
     }
   }
@@ -189,23 +194,77 @@ bool cut_along(Capping& capping, std::size_t end, int round) {
   return !found.empty();
 }
 
-/// Of an end, with normals on the side of those of the patch along its first side.
-FilledRim cap_of(Capping& capping, std::size_t end) {
+Border turned(Border border) {
+  if (border == Border::u_start) return Border::u_end;
+  return border == Border::u_end ? Border::u_start : border;
+}
+
+/// The numbers of the patches that are bound to one by sides, and its own.
+std::vector<std::size_t> bound_to(const std::vector<NurbsPatch>& patches, std::size_t first) {
+  const OpenSides all = open_sides(patches);
+  std::vector<std::size_t> found{first};
+  for (std::size_t next = 0; next < found.size(); ++next) {
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      const bool is_beside = std::ranges::any_of(all.edges[i], [&](int edge) {
+        return edge >= 0 && std::ranges::find(all.edges[found[next]], edge) != all.edges[found[next]].end();
+      });
+      if (is_beside && std::ranges::find(found, i) == found.end()) found.push_back(i);
+    }
+  }
+  return found;
+}
+
+/// Turns normals of a patch, and of all that are bound to it. @throws InvalidShape if that is so of another one
+void turn(Capping& capping, std::size_t patch, std::size_t but) {
+  const std::vector<std::size_t> bound = bound_to(capping.patches, patch);
+  if (std::ranges::find(bound, but) != bound.end()) {
+    throw InvalidShape("patches " + std::to_string(patch) + " and " + std::to_string(but) +
+                       " are bound to each other so that a cap between them would have normals on both sides");
+  }
+  for (const std::size_t i : bound) capping.patches[i] = reversed(capping.patches[i], Axis::u);
+  for (OpenEnd& end : capping.ends) {
+    for (SideOfPatch& side : end) {
+      if (std::ranges::find(bound, side.patch) != bound.end()) side.border = turned(side.border);
+    }
+  }
+}
+
+struct Cap {
+  std::vector<NurbsPatch> patches;
+  double bend;
+};
+
+/// With normals on the side of those of the patches along the borders of regions; patches about holes are turned where they are
+/// not so. @returns none where some were turned
+std::optional<Cap> facing(Capping& capping, std::size_t end, std::span<const std::vector<RimOrder>> orders, FilledRim filled) {
+  const OpenEnd sides = capping.ends[end];
+  const auto side_of = [&](std::size_t loop) { return sides[orders[loop][0].side]; };
+  const auto is_against = [&](std::size_t loop) { return runs_along(side_of(loop).border) != filled.is_turned[loop]; };
+  Cap cap{{}, filled.bend};
+  for (FilledRegion& region : filled.regions) {
+    const std::size_t border = region.loops[0];
+    for (const std::size_t hole : region.loops) {
+      if (is_against(hole) == is_against(border)) continue;
+      turn(capping, side_of(hole).patch, side_of(border).patch);
+      return {};
+    }
+    for (NurbsPatch& patch : region.patches) {
+      cap.patches.push_back(is_against(border) ? reversed(patch, Axis::u) : std::move(patch));
+    }
+  }
+  return cap;
+}
+
+/// Of an end. @returns none where patches were turned for it
+std::optional<Cap> cap_of(Capping& capping, std::size_t end) {
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<NurbsCurve> sides = sides_of(capping.patches, capping.ends[end]);
-    const std::vector<RimOrder> order = rim_order(sides);
-    if (order.size() > kMostSides) break;
-    auto filled = filled_rim(rim_of(sides, order));
-    if (!filled) {
-      // A round that finds nothing to cut at corners goes on to halves.
-      if (!cut_along(capping, end, round) && round > 0) break;
-      continue;
-    }
-    // Where the rim runs as its patch has it to the left, the cap is to run the other way.
-    if (runs_along(capping.ends[end][0].border)) {
-      for (NurbsPatch& patch : filled->patches) patch = reversed(patch, Axis::u);
-    }
-    return std::move(*filled);
+    const auto orders = rim_orders(sides);
+    if (sides.size() > kMostSides * orders.size()) break;
+    auto filled = filled_rim(loops_of(sides, orders));
+    if (filled) return facing(capping, end, orders, std::move(*filled));
+    // A round that finds nothing to cut at corners goes on to halves.
+    if (!cut_along(capping, end, round) && round > 0) break;
   }
   throw InvalidShape(kNotSeen);
 }
@@ -231,19 +290,26 @@ bool is_inside_out(std::span<const NurbsPatch> patches) {
   }
 }
 
-/// Caps of all ends; patches are cut until no cap needs more of that.
-std::vector<FilledRim> caps_of(Capping& capping) {
-  std::vector<FilledRim> caps;
-  for (std::size_t count = 0; count != capping.patches.size();) {
-    count = capping.patches.size();
-    caps.clear();
-    for (std::size_t i = 0; i < capping.ends.size(); ++i) caps.push_back(cap_of(capping, i));
+/// Caps of all ends; patches are cut and turned until no cap needs more of that.
+std::vector<Cap> caps_of(Capping& capping) {
+  std::size_t turns = 0;
+  for (;;) {
+    const std::size_t count = capping.patches.size();
+    std::vector<Cap> caps;
+    for (std::size_t i = 0; i < capping.ends.size(); ++i) {
+      std::optional<Cap> cap = cap_of(capping, i);
+      if (!cap) break;
+      caps.push_back(std::move(*cap));
+    }
+    const bool is_turned = caps.size() < capping.ends.size();
+    if (!is_turned && count == capping.patches.size()) return caps;
+    turns += is_turned;
+    if (turns > capping.patches.size()) throw InvalidShape("what is between the ends has no outside: normals would be on both sides");
   }
-  return caps;
 }
 
-std::vector<NurbsPatch> with_caps(std::vector<NurbsPatch> patches, const std::vector<FilledRim>& caps) {
-  for (const FilledRim& cap : caps) patches.insert(patches.end(), cap.patches.begin(), cap.patches.end());
+std::vector<NurbsPatch> with_caps(std::vector<NurbsPatch> patches, const std::vector<Cap>& caps) {
+  for (const Cap& cap : caps) patches.insert(patches.end(), cap.patches.begin(), cap.patches.end());
   return patches;
 }
 
@@ -251,7 +317,7 @@ std::vector<NurbsPatch> with_caps(std::vector<NurbsPatch> patches, const std::ve
 bool is_inside_out_when_closed(const std::vector<NurbsPatch>& patches) {
   try {
     Capping capping{patches, open_ends(patches)};
-    const std::vector<FilledRim> caps = caps_of(capping);
+    const std::vector<Cap> caps = caps_of(capping);
     return is_inside_out(with_caps(std::move(capping.patches), caps));
   } catch (const InvalidShape&) {
     return false;  // what has no closed form has no outside
@@ -263,10 +329,14 @@ bool is_inside_out_when_closed(const std::vector<NurbsPatch>& patches) {
 Approximation<std::vector<NurbsPatch>> rim_filling(std::span<const NurbsCurve> given) {
   std::vector<NurbsCurve> sides(given.begin(), given.end());
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::vector<RimOrder> order = rim_order(sides);
-    if (order.size() > kMostSides) break;
-    auto filled = filled_rim(rim_of(sides, order));
-    if (filled) return {std::move(filled->patches), filled->bend};
+    const auto orders = rim_orders(sides);
+    if (sides.size() > kMostSides * orders.size()) break;
+    auto filled = filled_rim(loops_of(sides, orders));
+    if (filled) {
+      std::vector<NurbsPatch> patches;
+      for (FilledRegion& region : filled->regions) std::ranges::move(region.patches, std::back_inserter(patches));
+      return {std::move(patches), filled->bend};
+    }
     std::vector<NurbsCurve> parts;
     for (const NurbsCurve& side : sides) {
       std::vector<NurbsCurve> own = parts_of(side, cuts_of(side, round));
@@ -317,9 +387,9 @@ std::vector<OpenEnd> open_ends(std::span<const NurbsPatch> patches) {
 
 Approximation<std::vector<NurbsPatch>> capped(std::span<const NurbsPatch> patches, std::span<const OpenEnd> ends) {
   Capping capping{{patches.begin(), patches.end()}, {ends.begin(), ends.end()}};
-  const std::vector<FilledRim> caps = caps_of(capping);
+  const std::vector<Cap> caps = caps_of(capping);
   double bend = 0.0;
-  for (const FilledRim& cap : caps) bend = std::max(bend, cap.bend);
+  for (const Cap& cap : caps) bend = std::max(bend, cap.bend);
   std::vector<NurbsPatch> made = with_caps(std::move(capping.patches), caps);
   if (is_inside_out_when_closed(made)) {
     for (NurbsPatch& patch : made) patch = reversed(patch, Axis::u);

@@ -44,6 +44,14 @@ struct RegionChord {
   double length;
 };
 
+/// A chord from a corner of a loop to one of a hole.
+struct Bridge {
+  std::size_t hole;
+  std::size_t from;
+  std::size_t to;
+  double length;
+};
+
 /// Both loops that a chord leaves, the first one that from its beginning to its end.
 struct Halves {
   Loop first;
@@ -56,19 +64,116 @@ class RegionCutter {
     for (const RegionSide& side : made_.sides) lines_.push_back(line_of(side));
   }
 
-  std::optional<CutRegion> cut() && {
-    Loop loop;
-    for (std::size_t i = 0; i < made_.sides.size(); ++i) loop.push_back({i, false});
-    const std::optional<glm::dvec2> whole = seen_from(loop);
-    if (whole) {
-      made_.parts.push_back({loop, *whole});
-    } else if (crosses_itself(loop) || !divide(loop)) {
-      return {};
+  std::optional<CutRegion> cut(std::span<const std::size_t> counts) && {
+    std::vector<Loop> loops;
+    std::size_t next = 0;
+    for (const std::size_t count : counts) {
+      loops.emplace_back();
+      for (std::size_t k = 0; k < count; ++k) loops.back().push_back({next++, false});
     }
+    const std::optional<glm::dvec2> whole = loops.size() == 1 ? seen_from(loops[0]) : std::nullopt;
+    if (whole) {
+      made_.parts.push_back({loops[0], *whole});
+      return std::move(made_);
+    }
+    for (const Loop& loop : loops) {
+      if (crosses_itself(loop, &loop != &loops[0])) return {};
+    }
+    const std::optional<Loop> bridged = without_holes(std::move(loops));
+    if (!bridged || !divide(*bridged)) return {};
     return std::move(made_);
   }
 
  private:
+  /// One loop round all of the region, which goes to each hole and back by a chord. @returns none where there is no such chord
+  std::optional<Loop> without_holes(std::vector<Loop> loops) {
+    Loop whole = std::move(loops[0]);
+    loops.erase(loops.begin());
+    while (!loops.empty()) {
+      const std::optional<Bridge> bridge = shortest_bridge(whole, loops);
+      if (!bridge) return {};
+      Loop hole = std::move(loops[bridge->hole]);
+      loops.erase(loops.begin() + static_cast<std::ptrdiff_t>(bridge->hole));
+      std::ranges::rotate(hole, hole.begin() + static_cast<std::ptrdiff_t>(bridge->to));
+      const std::size_t added = add_chord(whole[bridge->from], hole[0]);
+      hole.insert(hole.begin(), {added, false});
+      hole.push_back({added, true});
+      whole.insert(whole.begin() + static_cast<std::ptrdiff_t>(bridge->from), hole.begin(), hole.end());
+    }
+    return whole;
+  }
+
+  std::optional<Bridge> shortest_bridge(const Loop& whole, const std::vector<Loop>& holes) const {
+    const Outline outer = outline_of(whole);
+    std::vector<Outline> others;
+    for (const Loop& hole : holes) others.push_back(outline_of(hole));
+    std::vector<Bridge> all;
+    for (std::size_t h = 0; h < holes.size(); ++h) {
+      for (std::size_t i = 0; i < whole.size(); ++i) {
+        for (std::size_t k = 0; k < holes[h].size(); ++k) {
+          const glm::dvec2 way = others[h].line[others[h].corners[k]] - outer.line[outer.corners[i]];
+          all.push_back({h, i, k, dot(way, way)});
+        }
+      }
+    }
+    std::ranges::sort(all, {}, &Bridge::length);
+    for (const Bridge& bridge : all) {
+      const Outline& hole = others[bridge.hole];
+      const std::size_t from = outer.corners[bridge.from];
+      const std::size_t to = hole.corners[bridge.to];
+      const glm::dvec2 a = outer.line[from];
+      const glm::dvec2 b = hole.line[to];
+      breathe(outer.line.size());
+      if (!leaves_inside(outer.line, from, b) || !leaves_inside(hole.line, to, a)) continue;
+      const auto is_clear = [&](const Outline& one) { return !meets(one.line, a, b); };
+      if (is_clear(outer) && std::ranges::all_of(others, is_clear)) return bridge;
+    }
+    return {};
+  }
+
+  struct Outline {
+    Line line;
+    std::vector<std::size_t> corners;
+  };
+
+  Outline outline_of(const Loop& loop) const {
+    Outline found;
+    found.line = line_of(loop, &found.corners);
+    return found;
+  }
+
+  /// Whether the way to a place leaves a corner of a border into what that encloses, between what comes before and what comes after.
+  static bool leaves_inside(const Line& line, std::size_t at, const glm::dvec2& to) {
+    const std::size_t count = line.size();
+    const glm::dvec2 before = line[(at + count - 1) % count] - line[at];
+    const glm::dvec2 after = line[(at + 1) % count] - line[at];
+    const glm::dvec2 way = to - line[at];
+    const double from_after = cross(after, way);
+    const double to_before = cross(way, before);
+    const double turn = cross(after, before);
+    if (turn > 0.0 || (turn == 0.0 && dot(after, before) < 0.0)) return from_after > 0.0 && to_before > 0.0;
+    const bool is_along = (from_after == 0.0 && dot(after, way) > 0.0) || (to_before == 0.0 && dot(before, way) > 0.0);
+    return !is_along && (from_after > 0.0 || to_before > 0.0 || (turn == 0.0 && from_after != 0.0));
+  }
+
+  /// Whether a segment has more in common with a border than its own ends.
+  static bool meets(const Line& line, const glm::dvec2& a, const glm::dvec2& b) {
+    const std::size_t count = line.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const glm::dvec2& c = line[i];
+      const glm::dvec2& d = line[(i + 1) % count];
+      if (c != a && c != b && d != a && d != b) {
+        if (do_touch(a, b, c, d)) return true;
+        continue;
+      }
+      const glm::dvec2& own = c == a || c == b ? c : d;
+      const glm::dvec2& other = c == a || c == b ? d : c;
+      const glm::dvec2 way = own == a ? b - a : a - b;
+      if (cross(way, other - own) == 0.0 && dot(way, other - own) > 0.0) return true;
+    }
+    return false;
+  }
+
   static Line line_of(const RegionSide& side) {
     constexpr int kInPiece = 16;
     Line line{place_on(side.pieces[0], 0.0)};
@@ -113,7 +218,7 @@ class RegionCutter {
     return point_seeing(pieces);
   }
 
-  bool crosses_itself(const Loop& loop) const {
+  bool crosses_itself(const Loop& loop, bool is_hole) const {
     const Line line = line_of(loop);
     const std::size_t count = line.size();
     for (std::size_t i = 0; i + 2 < count; ++i) {
@@ -123,7 +228,7 @@ class RegionCutter {
         if (do_touch(line[i], line[i + 1], line[k], line[(k + 1) % count])) return true;
       }
     }
-    return !(area_of(line) > 0.0);
+    return !((is_hole ? -1.0 : 1.0) * area_of(line) > 0.0);
   }
 
   static bool turns_right(const glm::dvec2& before, const glm::dvec2& after) {
@@ -153,26 +258,9 @@ class RegionCutter {
 
   /// Whether a chord lies inside.
   static bool is_inside(const Line& line, std::size_t from, std::size_t to) {
-    const std::size_t count = line.size();
     const glm::dvec2 a = line[from];
     const glm::dvec2 b = line[to];
-    const glm::dvec2 middle = 0.5 * (a + b);
-    bool is_odd = false;
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t next = (i + 1) % count;
-      const glm::dvec2& c = line[i];
-      const glm::dvec2& d = line[next];
-      if ((c.y > middle.y) != (d.y > middle.y) && middle.x < c.x + (middle.y - c.y) / (d.y - c.y) * (d.x - c.x)) is_odd = !is_odd;
-      if (i == from || next == from || i == to || next == to) {
-        const glm::dvec2& other = i == from || i == to ? d : c;
-        const glm::dvec2& own = i == from || i == to ? c : d;
-        const glm::dvec2 way = own == a ? b - a : a - b;
-        if (cross(way, other - own) == 0.0 && dot(way, other - own) > 0.0) return false;
-      } else if (do_touch(a, b, c, d)) {
-        return false;
-      }
-    }
-    return is_odd;
+    return leaves_inside(line, from, b) && leaves_inside(line, to, a) && !meets(line, a, b);
   }
 
   /// Those inside that begin or end where the border is hollow, the shortest first.
@@ -203,14 +291,18 @@ class RegionCutter {
     return inside;
   }
 
+  /// A chord from where a side begins to where another does, as the last of all sides. @returns its number
+  std::size_t add_chord(const PartSide& from, const PartSide& to) {
+    const glm::dvec2 a = line_of(from).front();
+    const glm::dvec2 b = line_of(to).front();
+    made_.sides.push_back({{{glm::dvec3(a, 1.0), glm::dvec3(b, 1.0)}}, corner_of(from), corner_of(to)});
+    lines_.push_back({a, b});
+    return made_.sides.size() - 1;
+  }
+
   /// The chord becomes the last of all sides.
   Halves halves_of(const Loop& loop, const RegionChord& chord) {
-    const auto end_of = [&](std::size_t i) { return line_of(loop[i]).front(); };
-    const glm::dvec2 a = end_of(chord.from);
-    const glm::dvec2 b = end_of(chord.to);
-    made_.sides.push_back({{{glm::dvec3(a, 1.0), glm::dvec3(b, 1.0)}}, corner_of(loop[chord.from]), corner_of(loop[chord.to])});
-    lines_.push_back({a, b});
-    const std::size_t added = made_.sides.size() - 1;
+    const std::size_t added = add_chord(loop[chord.from], loop[chord.to]);
     Halves halves;
     for (std::size_t i = 0; i < loop.size(); ++i) (i >= chord.from && i < chord.to ? halves.first : halves.second).push_back(loop[i]);
     halves.first.push_back({added, true});
@@ -268,6 +360,18 @@ class RegionCutter {
 
 }  // namespace
 
-std::optional<CutRegion> cut_into_seen(std::vector<RegionSide> sides) { return RegionCutter(std::move(sides)).cut(); }
+bool do_cross(std::span<const glm::dvec2> a, std::span<const glm::dvec2> b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    breathe(b.size());
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (do_touch(a[i], a[(i + 1) % a.size()], b[k], b[(k + 1) % b.size()])) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<CutRegion> cut_into_seen(std::vector<RegionSide> sides, std::span<const std::size_t> counts) {
+  return RegionCutter(std::move(sides)).cut(counts);
+}
 
 }  // namespace splinecore

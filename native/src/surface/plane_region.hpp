@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #pragma GCC visibility push(hidden)
@@ -36,9 +37,13 @@ struct CutRegion {
   std::vector<SeenPart> parts;
 };
 
-/// The region cut by chords between its corners into few parts each of which is seen whole from a point; none if these corners do
-/// not do, as where the border crosses itself.
-std::optional<CutRegion> cut_into_seen(std::vector<RegionSide> sides);
+/// Whether closed polygons have a point in common.
+bool do_cross(std::span<const glm::dvec2> a, std::span<const glm::dvec2> b);
+
+/// A region within loops of sides, so many in each, the outer border first, and borders of holes, which run the other way; cut by
+/// chords between corners into few parts each of which is seen whole from a point; none if these corners do not do, as where a
+/// border crosses itself.
+std::optional<CutRegion> cut_into_seen(std::vector<RegionSide> sides, std::span<const std::size_t> counts);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

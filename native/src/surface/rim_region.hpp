@@ -19,16 +19,24 @@ struct RimSide {
   bool is_reversed;
 };
 
-/// What fills a rim: patches with normals on the side from which it runs to the left, and how far it is from a plane.
-struct FilledRim {
-  std::vector<NurbsPatch> patches;
-  double bend;
+/// Sides that go round, each from where the one before it ends.
+using RimLoop = std::vector<RimSide>;
+
+/// What lies within a loop and outside of those in it, filled.
+struct FilledRegion {
+  std::vector<std::size_t> loops;   ///< the border, and then holes
+  std::vector<NurbsPatch> patches;  ///< with normals on the side from which the widest of all loops runs to the left
 };
 
-/// Of sides that go round, each from where the one before it ends; none if no chords between their ends cut what lies within into
-/// parts that are seen whole.
-/// @throws InvalidShape as rim_filling()
-std::optional<FilledRim> filled_rim(std::span<const RimSide> rim);
+struct FilledRim {
+  std::vector<FilledRegion> regions;
+  std::vector<bool> is_turned;  ///< of each loop, whether its region lies to the right of it, seen from there
+  double bend;                  ///< how far it is from a plane
+};
+
+/// Of loops that have each other as holes or lie apart; none if no chords between the ends of their sides cut what lies within into
+/// parts that are seen whole. @throws InvalidShape as rim_filling()
+std::optional<FilledRim> filled_rim(std::span<const RimLoop> loops);
 
 /// Whether a side is a segment, which need not be cut.
 bool is_segment(const NurbsCurve& curve);
@@ -41,8 +49,8 @@ struct RimOrder {
   bool is_reversed;
 };
 
-/// The order in which sides go round, from the first as it is. @throws InvalidShape if they do not
-std::vector<RimOrder> rim_order(std::span<const NurbsCurve> sides);
+/// The orders in which sides go round, once or several times, each from its first side as that is. @throws InvalidShape if they do not
+std::vector<std::vector<RimOrder>> rim_orders(std::span<const NurbsCurve> sides);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core import along, verbs
 from ...core.failures import Refusal
-from .. import curve_layers, curve_pieces, recipes, settings, shape, store
+from .. import curve_layers, curve_pieces, fineness, recipes, shape, store
 from . import net_object, selection
 
 _COLUMNS = [curve_layers.NAMES.index(name) for name in ('radius', 'tilt')]
@@ -50,7 +50,7 @@ class Gesture:
 
     def _held_of(self, piece, curve, layers, lines):
         """(where it is told of, the core.along.Held) of Layers of a piece."""
-        steps = settings.of(self.data).resolution_u
+        steps = fineness.steps_of(self.data, curve)
         at = np.concatenate([along.places(self._definition, piece, curve, steps), *(line.at for line in lines)])
         at = np.union1d(layers.at, at[(at >= layers.at[0]) & (at <= layers.at[-1])])
         mixtures = tuple(along.mixture(self._definition, piece, curve, at, way) for way in layers.ways)

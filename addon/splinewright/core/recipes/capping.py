@@ -15,27 +15,36 @@ PARAMETER = Parameter("caps", "Caps", "Which ends are closed; what is closed alt
 _ENDS = {'none': (), 'start': ('start',), 'end': ('end',), 'both': ('start', 'end')}
 
 
-def result(patches, caps, error=0.0, said="", cancel=None):
+def result(patches, caps, error=0.0, said="", cancel=None, warning=""):
     """The Result of patches, each with its own ends, of which `caps` are closed: 'none', 'start', 'end' or 'both'. Raises Refusal
     or an error of the library."""
     if caps == 'none':
-        return of_patches(patches, error, said)
+        return of_patches(patches, error, said, warning)
     ends = [_ends(patch, len(patches) > 1) for patch in patches]
     chosen = [{name: own[name] for name in _ENDS[caps] if name in own} for own in ends]
     left_open = set().union(*(set(_ENDS[caps]) - set(own) for own in chosen))
     made, bends = [], []
     for number, inside in _holes(patches, chosen).items():
-        if inside is not None:
-            made += _hollow(patches, chosen, number, inside)
-            continue
         parts, bend = [patches[number]], 0.0
         if chosen[number]:
-            parts, bend = sc.build.cap([patches[number]], [[(0, side)] for side in chosen[number].values()], cancel=cancel)
+            parts, bend = _closed(patches, chosen, [number, *inside], cancel)
         made += parts
         bends.append(bend)
     told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open),
             *bend_in_words(max(bends, default=0.0))]
-    return of_patches(made, error, ", ".join(filter(None, told)))
+    return of_patches(made, error, ", ".join(filter(None, told)), warning)
+
+
+def _closed(patches, chosen, numbers, cancel):
+    """(patches, how far rims are from planes): of a patch, and of those that lie within it, which are holes. One hole is closed by
+    a ring, where that does."""
+    if len(numbers) == 2:
+        try:
+            return _hollow(patches, chosen, *numbers), 0.0
+        except Refusal:
+            pass
+    ends = [[(place, chosen[number][name]) for place, number in enumerate(numbers)] for name in chosen[numbers[0]]]
+    return sc.build.cap([patches[number].to_nurbs() for number in numbers], ends, cancel=cancel)
 
 
 def _hollow(patches, chosen, number, inside):
@@ -47,8 +56,7 @@ def _hollow(patches, chosen, number, inside):
 
 
 def _holes(patches, chosen):
-    """{the number of a patch: that of the one in it, which is a hole, or None}. Raises Refusal where that is not so at all ends, or
-    there are several."""
+    """{the number of a patch: those of the ones in it, which are holes}. Raises Refusal where that is not so at all ends."""
     names = sorted({name for own in chosen for name in own})
     rims = {name: {i: patch.boundary(own[name]) for i, (patch, own) in enumerate(zip(patches, chosen)) if name in own} for name in names}
     within = {name: {(i, k) for i, inner in own.items() for k, rim in own.items() if i != k and hollow.is_within(inner, rim)}
@@ -59,10 +67,7 @@ def _holes(patches, chosen):
     depths = [sum(i == inner for inner, _ in pairs) for i in range(len(patches))]
     found = {}
     for number in (i for i, depth in enumerate(depths) if depth % 2 == 0):
-        inside = [inner for inner, rim in pairs if rim == number and depths[inner] == depths[number] + 1]
-        if len(inside) > 1:
-            raise Refusal(f"{len(inside)} of its curves lie within another: a cap with one hole can be made, not one with several")
-        found[number] = inside[0] if inside else None
+        found[number] = sorted(inner for inner, rim in pairs if rim == number and depths[inner] == depths[number] + 1)
     return found
 
 

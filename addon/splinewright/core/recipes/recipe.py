@@ -32,6 +32,7 @@ class Result(NamedTuple):
     value: object                       # a splinecore value or a Definition
     error: float = 0.0
     said: str = ""                      # what was achieved beside that, in words
+    warning: str = ""                   # what is wrong with it, in words
 
     @property
     def definition(self):
@@ -117,9 +118,9 @@ class Recipe:
         return self.start[:self.count_for(values)] if self.count_for else self.start
 
 
-def of_patches(patches, error=0.0, said=""):
+def of_patches(patches, error=0.0, said="", warning=""):
     """The Result that is a patch, or several as one."""
-    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said)
+    return Result(patches[0] if len(patches) == 1 else sc.PatchSet.from_patches(patches), error, said, warning)
 
 
 def share_of_size(definition, share):

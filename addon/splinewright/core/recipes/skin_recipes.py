@@ -4,8 +4,8 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, lofts, neighbours, rails, rims, sections, verbs
-from ..failures import Refusal, about_input
+from .. import decimals, holes, lofts, neighbours, overlaps, rails, rims, sections, verbs
+from ..failures import AboutInputs, Refusal, about_input, about_items
 from ..library import sc
 from . import capping
 from .recipe import Parameter, Recipe, Result, of_patches
@@ -93,19 +93,22 @@ def _sweep(inputs, placed, frame, end_scale, twist, own_radius, tolerance, caps,
     profiles = [curve.reversed() if is_turned else curve for curve, is_turned in zip(profiles, turned[1:])]
     if placed == 'upright':
         profiles, at = rails.upright(profiles, spaces[1:]), None
+        order = range(len(profiles))
     else:
-        profiles, at = rails.along(rail, profiles, frame)
-    made = sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor, tolerance=tolerance,
-                          cancel=cancel)
-    return capping.result([made.value], caps, made.error, cancel=cancel)
+        profiles, at, order = rails.along(rail, profiles, frame)
+    with about_items(sections=[1 + i for i in order]):
+        made = sc.build.sweep(rail, profiles, at=at, frame=frame, end_scale=end_scale, twist=twist, scale=factor, tolerance=tolerance,
+                              cancel=cancel)
+    return capping.result([made.value], caps, made.error, cancel=cancel, warning=", ".join(overlaps.of_rail(made.value, rail)))
 
 
 def _two_rails(inputs, height, tolerance, caps, turned, cancel=None):
     first, second, *profiles = (curve.reversed() if is_turned else curve
                                 for curve, is_turned in zip(_one_of_each(inputs), turned))
     second = rails.running_with(first, second)
-    profiles, at = rails.between(first, second, profiles)
-    made = sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel)
+    profiles, at, order = rails.between(first, second, profiles)
+    with about_items(sections=[2 + i for i in order]):
+        made = sc.build.sweep_two_rails(first, second, profiles, at=at, height=height, tolerance=tolerance, cancel=cancel)
     return capping.result([made.value], caps, made.error, cancel=cancel)
 
 
@@ -116,7 +119,7 @@ def _pipe(inputs, radius, end_radius, own_radius, caps, capped, tolerance, facto
     made = sc.build.pipe(axis, radii, caps=caps, tolerance=tolerance, scale=factor, cancel=cancel)
     left_out = {'both': (), 'start': (2,), 'end': (1,)}[capped]
     patches = [patch for i, patch in enumerate(made.value) if i not in left_out]
-    return of_patches(patches, made.error)
+    return of_patches(patches, made.error, warning=", ".join(overlaps.of_rail(made.value[0], axis)))
 
 
 def _first_radii(inputs):
@@ -127,10 +130,14 @@ def _first_radii(inputs):
 def _network(inputs, tolerance, gap, cancel=None):
     numbers = [number for number, definition in enumerate(inputs) if definition.has_curves]
     curves = [_one_of(inputs, number) for number in numbers]
-    beside = neighbours.beside([verbs.pieces_of(definition) for definition in inputs if not definition.has_curves], curves,
-                               gap or tolerance)
-    along_u, along_v = sections.families(curves, gap or tolerance, numbers)
-    found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, gap=gap or None, cancel=cancel)
+    others = [number for number in range(len(inputs)) if number not in numbers]
+    sides = neighbours.beside([verbs.pieces_of(inputs[number]) for number in others], curves, gap or tolerance, others)
+    beside = [side for side, _ in sides]
+    families = sections.families(curves, gap or tolerance, numbers)
+    along_u, along_v = ([curve for curve, _ in family] for family in families)
+    of_u, of_v = ([number for _, number in family] for family in families)
+    with about_items(along_u=of_u, along_v=of_v, neighbours=[number for _, number in sides]):
+        found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, gap=gap or None, cancel=cancel)
     if not beside:
         return _within(found)
     angle = neighbours.angle_to(found.value, beside, gap or tolerance)
@@ -153,10 +160,26 @@ def _filling(inputs, continuity, other, tolerance, cancel=None):
     except (Refusal, sc.InvalidShape, sc.ToleranceNotReached) as error:
         refused = error
     try:
-        patches = list(rims.filled(curves, cancel).value)
-    except sc.InvalidShape as error:
-        raise refused or Refusal(f"{error}: nothing within it would be plane without a fold") from error
+        with about_items(side=range(len(curves))):
+            patches = list(rims.filled(curves, cancel).value)
+    except (AboutInputs, sc.InvalidShape) as error:
+        if refused and not (len(curves) > 1 and all(map(sections.is_closed, curves))):
+            raise refused
+        _require_apart(curves, cancel)
+        if isinstance(error, AboutInputs):
+            raise
+        raise Refusal(f"{error}: nothing within it would be plane without a fold") from error
     return of_patches(patches, 0.0, "plane")
+
+
+def _require_apart(curves, cancel):
+    """Raises AboutInputs for a curve that crosses itself, or another one."""
+    for i, curve in enumerate(curves):
+        if not curve.self_intersections(cancel=cancel).touches.all():
+            raise AboutInputs("{} crosses itself: nothing within it would be plane without a fold", i)
+        for k, other in enumerate(curves[:i]):
+            if len(curve.intersections(other, cancel=cancel).distances):
+                raise AboutInputs("{} and {} cross or touch: what lies between them cannot be filled", k, i)
 
 
 def _sides_around(shapes, continuity, other, tolerance):
@@ -166,7 +189,8 @@ def _sides_around(shapes, continuity, other, tolerance):
 
 
 def _of_sides(sides, tolerance, cancel):
-    found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
+    with about_items(sides=[side.owner for side in sides]):
+        found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
     said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
     return of_patches(patches, found.gap, said)

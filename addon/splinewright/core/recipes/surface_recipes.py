@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from .. import definition as definitions
-from .. import deforming
+from .. import deforming, overlaps
 from ..deformable import revolved
-from ..failures import Refusal, about_input
+from ..failures import AboutInputs, Refusal, about_input
 from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
@@ -92,10 +92,12 @@ def _curves(inputs, number=0):
 
 def _revolve(inputs, axis, start, sweep, offset_x, offset_y, offset_z, deformable, tolerance, caps, frame=None):
     through, direction = axis_of(axis, (offset_x, offset_y, offset_z), frame)
+    curves = _curves(inputs)
+    warning = ", ".join(overlaps.of_turned(curves, through, direction, sweep))
     if not deformable:
-        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in _curves(inputs)], caps)
-    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in _curves(inputs)]
-    return capping.result([patch for patch, _ in made], caps, max(error for _, error in made))
+        return capping.result([sc.build.revolve(curve, through, direction, start, _turn(sweep)) for curve in curves], caps, warning=warning)
+    made = [revolved(curve, through, direction, start, _turn(sweep), tolerance) for curve in curves]
+    return capping.result([patch for patch, _ in made], caps, max(error for _, error in made), warning=warning)
 
 
 def axis_of(axis, offset, frame=None):
@@ -116,13 +118,15 @@ def _suggested_axis(inputs):
 
 
 def _extrude(inputs, x, y, z, caps):
-    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in _curves(inputs)], caps)
+    curves = _curves(inputs)
+    warning = ", ".join(overlaps.of_profile(curves, (x, y, z)))
+    return capping.result([sc.build.extrude(curve, (x, y, z)) for curve in curves], caps, warning=warning)
 
 
 def _ruled(inputs, turned):
     first, second = (_curves(inputs, number) for number in range(2))
     if len(first) != len(second):
-        raise Refusal(f"one has {len(first)} pieces, the other {len(second)}: each is ruled to one")
+        raise AboutInputs(f"{{}} has {len(first)} pieces, {{}} has {len(second)}: each is ruled to one", 0, 1)
     return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
 
 

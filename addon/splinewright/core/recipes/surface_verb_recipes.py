@@ -2,7 +2,7 @@
 
 import math
 
-from .. import decimals, matching, patch_joints, verbs
+from .. import decimals, matching, overlaps, patch_joints, verbs
 from ..failures import Refusal, about_input
 from ..library import sc
 from ..rounding import crossing
@@ -119,8 +119,10 @@ def _are_apart(inputs, first_side, second_side):
 
 
 def _offset(inputs, distance, tolerance, cancel=None):
-    made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in patches_of(inputs[0])]
-    return of_patches([one.value for one in made], max(one.error for one in made))
+    patches = patches_of(inputs[0])
+    made = [sc.build.offset_patch(patch, distance, tolerance=tolerance, cancel=cancel) for patch in patches]
+    warning = (words for patch, one in zip(patches, made) for words in overlaps.of_thick(patch, one.value, distance))
+    return of_patches([one.value for one in made], max(one.error for one in made), warning=", ".join(warning))
 
 
 def _first_distance(inputs):
@@ -132,7 +134,9 @@ def _thickened(inputs, distance, middle, piece, tolerance, cancel=None):
     verbs.require_piece(patches, piece)
     start = -0.5 * distance if middle else 0.0
     found = sc.build.thicken(patches[piece - 1], start, start + distance, tolerance=tolerance, cancel=cancel)
-    return of_patches(list(found.value), found.error)
+    sides = zip(sorted((start, start + distance), reverse=True), found.value)
+    warning = (words for away, side in sides if away for words in overlaps.of_thick(patches[piece - 1], side, away))
+    return of_patches(list(found.value), found.error, warning=", ".join(warning))
 
 
 def _extended(inputs, side, length, how, piece):

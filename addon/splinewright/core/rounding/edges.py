@@ -10,6 +10,10 @@ from .body import body_of, require_two
 from .cells import cells_of
 
 
+#: At which an edge of one pair of sides is seen.
+_PLACES = 49
+
+
 class Rounded(NamedTuple):
     patches: list
     error: float
@@ -33,13 +37,13 @@ def rounded(shapes, text, radius, tolerance, cancel=None):
     rolled = [edge for edge in chosen if not is_of_planes(body, edge)]
     flat = [edge for edge in chosen if is_of_planes(body, edge)]
     _require_apart(body, rolled, flat)
-    places, error = {edge.number: _place_of(edge) for edge in chosen}, 0.0
+    places, error = {edge.number: _place_of(edge) for edge in body.edges}, 0.0
     for edge in rolled:
-        now = _found(body, places[edge.number], edge.number)
+        now = _found(body, edge.number)
         cells, off = rolling.rolled(body, now, radius, tolerance, cancel)
-        body, error = body_of([(cell, 0) for cell in cells]), max(error, off)
+        body, error = _numbered(body_of([(cell, 0) for cell in cells]), places), max(error, off)
     if flat:
-        now = [_found(body, places[edge.number], edge.number) for edge in flat]
+        now = [_found(body, edge.number) for edge in flat]
         return Rounded(planes.rounded(body, now, radius), error, len(chosen))
     return Rounded(body.cells, error, len(chosen))
 
@@ -81,6 +85,15 @@ def middles_of(shapes):
     return np.array([_place_of(edge) for edge in body_between(shapes).edges]).reshape(-1, 3)
 
 
+def lines_of(shapes):
+    """[(n, 3)]: points along each edge of lists of patches, in the order of their numbers; an odd number of them."""
+    return [np.concatenate([_points_of(first.curve) for first, _ in edge.pairs]) for edge in body_between(shapes).edges]
+
+
+def _points_of(curve):
+    return curve.evaluate(np.linspace(*curve.domain, _PLACES))
+
+
 def is_of_planes(body, edge):
     """Whether an edge is one segment between two planes."""
     a, b = ({body.face_of[pair[i].cell] for pair in edge.pairs} for i in range(2))
@@ -104,7 +117,7 @@ def _require_apart(body, rolled, flat):
             shared = _ends(edge) & _ends(other)
             if shared:
                 raise Refusal(f"{planes.named(body, min(shared))}: edges {edge.number} and {other.number} end there, and not all "
-                              "surfaces there are planes: round one of them, or all edges of a corner of three planes")
+                              "surfaces there are planes: round one of them, or edges of a corner of three planes")
 
 
 def _place_of(edge):
@@ -113,10 +126,16 @@ def _place_of(edge):
     return curve.evaluate(0.5 * sum(curve.domain))
 
 
-def _found(body, place, number):
-    """The edge on which a place lies, by the number that users know."""
+def _numbered(body, places):
+    """A Body whose edges have the numbers of the places on them, by which users know them; 0 of what was not there."""
     for edge in body.edges:
-        if any(first.curve.nearest(place[None]).distances[0] <= 1e-6 * body.size for first, _ in edge.pairs):
-            edge.number = number
+        edge.number = next((number for number, place in places.items() if any(
+            first.curve.nearest(place[None]).distances[0] <= 1e-6 * body.size for first, _ in edge.pairs)), 0)
+    return body
+
+
+def _found(body, number):
+    for edge in body.edges:
+        if edge.number == number:
             return edge
     raise Refusal(f"edge {number} is lost where another one is rounded: round them one after the other")

@@ -13,6 +13,8 @@ from .outlines import filled, outline_of, segment
 
 #: Faces that fold back by less, in radians, have no room for a ball.
 _LEAST_ANGLE = 1e-4
+#: Angles, and places as a part of the size, that differ by less are one.
+_SAME = 1e-9
 
 
 class Ridge(NamedTuple):
@@ -87,10 +89,12 @@ class _Rounding:
             self._one(corner, meeting[0], faces)
         elif len(meeting) == 3 and len(faces) == 3 and {frozenset(ridge.faces) for ridge in meeting} == _pairs(faces):
             self._ball(corner, meeting, sorted(faces))
+        elif len(meeting) == 2 and len(faces) == 3 and len(set(meeting[0].faces) & set(meeting[1].faces)) == 1:
+            self._miter(corner, *meeting, faces)
         else:
             raise Refusal(f"{self._named(corner)}: {_counted(len(meeting), 'rounded edge')} and {_counted(len(faces), 'surface')} "
-                          "meet there; one edge of two or three surfaces can end, or all three edges of three surfaces can be "
-                          "rounded")
+                          "meet there; one edge of two or three surfaces can end, and two or all three edges of three surfaces can "
+                          "be rounded: choose other edges there")
 
     def _one(self, corner, ridge, faces):
         for face in ridge.faces:
@@ -117,20 +121,42 @@ class _Rounding:
             raise Refusal(f"{self._named(corner)}: a side goes on there as the edge does")
         return place + way * (self.radius / math.tan(ridge.half) / into)
 
-    def _ball(self, corner, ridges, faces):
-        place = self.body.corners[corner]
+    def _miter(self, corner, first, second, faces):
+        """Two edges at one angle to the face that they share: their cylinders meet in an arc from there to the third edge."""
+        place, (shared,) = self.body.corners[corner], set(first.faces) & set(second.faces)
+        order = [shared, first.other(shared), second.other(shared)]
+        away, normals, sides = self._ball_at(corner, (first, second), order)
+        ends = [self._slid(corner, ridge, ridge.other(shared)) for ridge in (first, second)]
+        is_one = abs(first.half - second.half) <= _SAME and np.linalg.norm(ends[0] - ends[1]) <= _SAME * self.body.size
+        if not is_one:
+            numbers = _listed(sorted((first.number, second.number)))
+            raise Refusal(f"{self._named(corner)}: {numbers} meet the surface between them at different angles, and what is left of "
+                          "the third edge would have to be trimmed: round all three edges there, or one")
+        self.at[shared, corner] = place + away - sides[0] * self.radius * normals[0]
+        for ridge in (first, second):
+            self.at[ridge.other(shared), corner] = ends[0]
+            a, b = (self.at[face, corner] for face in ridge.faces)
+            self.arcs[ridge.number, corner] = _arc(a, place, b, first.half)
+
+    def _ball_at(self, corner, ridges, faces):
+        """(from the corner to the middle of the ball, normals of faces, on which side of each the ball lies)."""
         normals, sides = [], []
         for face in faces:
             normal = self._outlines[face].normal
             found = {np.sign(normal @ ridge.into(ridge.other(face))) for ridge in ridges if face in ridge.faces}
             if len(found) != 1:
-                raise Refusal(f"{self._named(corner)}: inner and outer edges meet there, on which one ball cannot lie")
+                raise Refusal(f"{self._named(corner)}: inner and outer edges meet there, on which one ball cannot lie: round them one "
+                              "after the other, or let them end apart")
             normals.append(normal)
             sides.append(found.pop())
-        sides = np.array(sides)
         if abs(np.linalg.det(normals)) < _LEAST_ANGLE:
-            raise Refusal(f"{self._named(corner)}: its surfaces are too near to one plane, or to one direction, for a ball")
-        away = np.linalg.solve(np.array(normals), self.radius * sides)
+            raise Refusal(f"{self._named(corner)}: its surfaces are too near to one plane, or to one direction, for a ball: round fewer "
+                          "edges there")
+        return np.linalg.solve(np.array(normals), self.radius * np.array(sides)), normals, sides
+
+    def _ball(self, corner, ridges, faces):
+        place = self.body.corners[corner]
+        away, normals, sides = self._ball_at(corner, ridges, faces)
         for face, normal, side in zip(faces, normals, sides):
             self.at[face, corner] = place + (away - side * self.radius * normal)
         for ridge in ridges:
@@ -223,7 +249,7 @@ class _Rounding:
 
 def named(body, corner):
     """A corner in words."""
-    numbers = [edge.number for edge in body.edges if corner in (edge.pairs[0][0].start, edge.pairs[-1][0].end)]
+    numbers = [edge.number for edge in body.edges if edge.number and corner in (edge.pairs[0][0].start, edge.pairs[-1][0].end)]
     if not numbers:
         return "a corner"
     return f"the corner of {_listed(numbers)}" if len(numbers) > 1 else f"the end of {_listed(numbers)}"

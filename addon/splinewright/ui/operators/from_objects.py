@@ -100,7 +100,7 @@ class _FromObjects(LongWork, Repeatable):
             for source in sources:
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
-        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said)))))
+        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said))), warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
         """Find out what is not given."""
@@ -160,6 +160,17 @@ def is_wanted(ob, what):
     """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, a point, or any."""
     kind = {'CURVE': "curve", 'EMPTY': "point"}.get(ob.type, "surface")
     return kind in what or not any(word in what for word in ("curve", "surface", "point"))
+
+
+def sources_of(context, recipe):
+    """The selected objects from which a recipe would make a shape, in their order at first."""
+    return _sources(context, recipe)
+
+
+def lacking(context, recipe):
+    """What is to be selected for a recipe that makes shapes from objects, or ""."""
+    operator = next(cls for cls in CLASSES if cls.recipe is recipe)
+    return operator._lacking(_sources(context, recipe))
 
 
 def _has_no_edge(ob):

@@ -41,22 +41,31 @@ def _wanted(is_surface):
 
 def start(operator):
     """What settings.start() takes, of a settled operator."""
-    faces = [getattr(operator, name) for name in _FACES] if isinstance(operator, Faces) else []
-    return (operator.resolution_u, getattr(operator, 'resolution_v', operator.resolution_u), *faces)
+    resolutions = operator.resolution_u, getattr(operator, 'resolution_v', operator.resolution_u)
+    if isinstance(operator, Faces):
+        return (*resolutions, *(getattr(operator, name) for name in _FACES))
+    return resolutions if _is_given(operator) else (*resolutions, settings.AUTOMATIC)
+
+
+def _is_given(operator):
+    return any(hasattr(operator, name) and operator.properties.is_property_set(name) for name in _RESOLUTIONS)
 
 
 def start_of_any(operator, is_surface):
     """What settings.start() takes, of an operator that adds curves and surfaces and knows of resolutions only."""
     given = {name: getattr(operator, name) for name in _RESOLUTIONS}
-    if not any(map(operator.properties.is_property_set, _RESOLUTIONS)):
-        given.update(_wanted(is_surface))
+    if not _is_given(operator):
+        wanted = _wanted(is_surface)
+        given.update(wanted)
+        if not is_surface and not wanted:
+            given['faces_mode'] = settings.AUTOMATIC
     return tuple(given[name] for name in (*_RESOLUTIONS, *_FACES) if name in given)
 
 
 def draw(operator, layout):
     """The settings of an operator that adds a shape."""
     if not isinstance(operator, Faces):
-        layout.prop(operator, "resolution_u", text="Resolution")
+        layout.prop(operator, "resolution_u", text="Resolution" if _is_given(operator) else "Resolution (Automatic)")
         return
     column = layout.column(align=True)
     column.prop(operator, "faces_mode")

@@ -266,7 +266,10 @@ class SPLINEWRIGHT_OT_patch_swap(OnPatches, bpy.types.Operator):
         """The resolutions are exchanged with the directions, where all are."""
         outcome, chosen = super().work(context, ob), settings.of(ob.data)
         if self.piece == 0 or len(outcome[0].pieces) == 1:
-            settings.set_resolution(ob.data, chosen.resolution_v, chosen.resolution_u)
+            if chosen.mode == settings.COUNT:
+                settings.set_resolution(ob.data, chosen.resolution_v, chosen.resolution_u)
+            else:
+                settings.exchange_resolutions(ob.data)
         return outcome
 
 
