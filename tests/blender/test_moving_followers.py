@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 import pytest
-from mathutils import Matrix
+from mathutils import Matrix, kdtree
 
 from shapes import activate, require_exact
 from support import part, splinecore as sc, vertices
@@ -306,7 +306,13 @@ WITH_NUMBERS = {'revolve': PROFILE, 'extrude': PROFILE, 'pipe': PROFILE, 'about'
 
 
 def nearest_distance(a, b):
-    return max(np.sqrt(((p[:, None] - q) ** 2).sum(axis=2)).min(axis=1).max() for p, q in ((a, b), (b, a)))
+    def reach(points, others):
+        tree = kdtree.KDTree(len(others))
+        for i, other in enumerate(others):
+            tree.insert(other, i)
+        tree.balance()
+        return max(tree.find(point)[2] for point in points)
+    return max(reach(a, b), reach(b, a))
 
 
 def seen_points(ob):

@@ -116,11 +116,13 @@ def take_in_applied(ob, depsgraph):
 
 def _map_by_others(data):
     definition = store.read(data)
-    if not stamp.same_topology(store.read_stamp(data), stamp.of(data)):
+    known = store.read_stamp(data)
+    is_turned_over = not stamp.same_topology(known, stamp.of(data))
+    if is_turned_over and not stamp.same_topology(known, stamp.of_turned_over(data)):
         raise Refusal(f"its faces or splines were changed, too: {_CURES}")
     before, after = shape.evaluated(data, definition, recipes.around(data)).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
-    if matrix is None:
+    if matrix is None or is_turned_over and not np.linalg.det(matrix[:3, :3]) < 0:
         raise Refusal(f"it was not moved as a whole: {_CURES}")
     return matrix
 
