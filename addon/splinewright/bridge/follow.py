@@ -15,6 +15,10 @@ from . import derived, handles, held, placing, point_keys, problems, recipes, sh
 from .file_state import block_of, key, state
 
 
+#: What objects are called that recipes make whose label says what is done.
+_CALLED = {'follow': "Exact", 'of_mesh': "NURBS"}
+
+
 class Cycle(Refusal):
     """A shape would follow itself."""
 
@@ -50,7 +54,7 @@ def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result
     """
     first, space = next(iter(sources), None), first_space(sources, depsgraph)
     result = result or derived.result(recipe, values, sources, space, frames)
-    made = recipe.label if recipe.parameters else "Exact"
+    made = _CALLED.get(recipe.kind, recipe.label)
     data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = Matrix(space.matrix)
