@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 import pytest
-from mathutils import Matrix
+from mathutils import Matrix, kdtree
 
 from shapes import activate, require_exact
 from support import part, splinecore as sc, vertices
@@ -298,3 +298,62 @@ def test_apply_leaves_what_is_seen_and_it_goes_on_following(is_free):
     move(STEPS[0], ob)
     require_near(seen(ob), under(changed, STEPS[0]) if is_free else changed, 1e-5)
     require_exact(ob)
+
+
+PROFILE = sc.BezierCurve(np.array([(0.3, 0, 0), (1.2, 0, 0), (0.4, 0, 1.2), (0.9, 0, 2)], float))
+BOWL = sc.BezierPatch([[(x, y, 1.0 - 0.2 * x * x + 0.1 * y) for y in (0.0, 1.0, 2.0)] for x in (0.0, 0.7, 1.4, 2.0)])
+#: Where axes, planes, directions and lengths count beside the inputs.
+WITH_NUMBERS = {'revolve': PROFILE, 'extrude': PROFILE, 'pipe': PROFILE, 'about': PROFILE, 'offset': PROFILE, 'mirror': BOWL, 'planes': BOWL,
+                'thickened': BOWL, 'extended_surface': BOWL}
+
+
+def nearest_distance(a, b):
+    def reach(points, others):
+        tree = kdtree.KDTree(len(others))
+        for i, other in enumerate(others):
+            tree.insert(other, i)
+        tree.balance()
+        return max(tree.find(point)[2] for point in points)
+    return max(reach(a, b), reach(b, a))
+
+
+def seen_points(ob):
+    bpy.context.view_layer.update()
+    points = vertices(ob.data) if ob.type == 'MESH' else shape.points_of(ob.data)
+    return under(points, ob.matrix_world)
+
+
+@pytest.mark.parametrize('step', (STEPS[0] @ STEPS[1] @ STEPS[2], STEPS[3], STEPS[4]))
+@pytest.mark.parametrize('kind', WITH_NUMBERS)
+def test_apply_keeps_what_axes_planes_and_lengths_mean(kind, step):
+    source = placed(WITH_NUMBERS[kind], (2.0, 1.0, 0.0))
+    ob = made(f'add_{kind}', source)
+    source.hide_set(False)
+    other = made(f'add_{kind}', source)
+    for _ in range(2):
+        move(step, ob)
+        move(step, other)
+        activate(ob)
+        bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+        assert np.allclose(ob.matrix_world, np.eye(4), atol=1e-6)
+        assert follow.problem(ob.data) == "" and not shape.is_touched(ob.data)
+        assert nearest_distance(seen_points(ob), seen_points(other)) < 1e-4
+    require_exact(ob)
+    before = seen_points(ob)
+    source.scale = 1.2, 1.2, 1.5
+    source.location.x += 0.2
+    assert nearest_distance(seen_points(ob), before) > 0.01
+    assert nearest_distance(seen_points(ob), seen_points(other)) < 1e-4
+
+
+def test_what_was_only_applied_is_not_away_from_its_inputs():
+    source = placed(PROFILE, (2.0, 1.0, 0.0))
+    ob = made('add_revolve', source)
+    axis = part('ui.axis_overlay')
+    line = axis.line_of(ob)
+    activate(ob)
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    bpy.context.view_layer.update()
+    assert not placing.is_away(ob.data, ob) and np.allclose(axis.line_of(ob), line, atol=1e-5)
+    move(STEPS[1], ob)
+    assert placing.is_away(ob.data, ob) and np.allclose(axis.line_of(ob), under(line, STEPS[1]), atol=0.1)

@@ -169,6 +169,29 @@ def test_blenders_own_apply_takes_the_definition_along(name):
 
 
 @pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'teapot'))
+def test_blenders_own_apply_takes_a_mirroring_along(name):
+    """Newer versions of Blender turn the faces over then."""
+    ob = add(VALUES[name]())
+    ob.scale, ob.rotation_euler = (-1.5, 1.0, 0.5), (0.2, 0.0, 0.4)
+    bpy.context.view_layer.update()
+    before = world_points(ob)
+    applied(ob)
+    after = world_points(ob)
+    assert np.allclose(ob.matrix_world, np.eye(4), atol=1e-6) and not shape.is_touched(ob.data)
+    assert after.shape == before.shape and np.allclose(np.sort(after, 0), np.sort(before, 0), atol=1e-4)
+    require_exact(ob)
+
+
+def test_faces_that_were_turned_over_where_they_lie_are_no_map():
+    ob = add(VALUES['nurbs patch']())
+    ob.data.flip_normals()
+    bpy.context.view_layer.update()
+    assert shape.is_touched(ob.data)
+    with pytest.raises(RuntimeError, match="not moved as a whole|faces or splines were changed"):
+        op(bpy.ops.splinewright.adopt_transform)
+
+
+@pytest.mark.parametrize('name', ('nurbs patch', 'nurbs', 'teapot'))
 def test_set_origin_takes_the_definition_along(name):
     ob = add(VALUES[name]())
     ob.location = 5.0, 3.0, 1.0

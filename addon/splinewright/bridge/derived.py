@@ -18,6 +18,19 @@ def result(recipe, values, sources, space, frames=(), turned=()):
 def work(recipe, values, sources, space, frames=(), turned=()):
     """A function that gives result() for a `cancel` as the library takes it, and reads nothing of Blender's any more. Raises
     Refusal."""
+    make = _made_in(recipe, values, sources, space, frames, turned)
+    return make if (space.applied == np.eye(4)).all() else _then(make, space.applied)
+
+
+def _then(make, matrix):
+    """make() of which the result is moved by a matrix."""
+    def moved(cancel):
+        made = make(cancel)
+        return made._replace(value=_under(made.definition, matrix))
+    return moved
+
+
+def _made_in(recipe, values, sources, space, frames, turned):
     if recipe.has_places:
         return recipe.work(np.array([space.of(frame)[:3, 3] for frame in frames]), values)
     inputs = inputs_of(recipe, sources, space)
@@ -30,14 +43,7 @@ def work(recipe, values, sources, space, frames=(), turned=()):
         is_asked = values[recipe.radius_asked]
         more['factor'] = radii.along_curve(sources[0], definition_of(sources[0], space.depsgraph)) if is_asked else None
     make = _naming(recipe.work(inputs, {**values, **more}), [source.name for source in sources])
-    if not recipe.is_measured:
-        return make
-    back = np.linalg.inv(space.to_lengths())
-
-    def moved_back(cancel):
-        made = make(cancel)
-        return made._replace(value=_under(made.definition, back))
-    return moved_back
+    return _then(make, np.linalg.inv(space.to_lengths())) if recipe.is_measured else make
 
 
 def _naming(make, names):

@@ -15,6 +15,10 @@ from . import derived, handles, held, placing, point_keys, problems, recipes, sh
 from .file_state import block_of, key, state
 
 
+#: What objects are called that recipes make whose label says what is done.
+_CALLED = {'follow': "Exact", 'of_mesh': "NURBS"}
+
+
 class Cycle(Refusal):
     """A shape would follow itself."""
 
@@ -50,7 +54,7 @@ def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result
     """
     first, space = next(iter(sources), None), first_space(sources, depsgraph)
     result = result or derived.result(recipe, values, sources, space, frames)
-    made = recipe.label if recipe.parameters else "Exact"
+    made = _CALLED.get(recipe.kind, recipe.label)
     data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = Matrix(space.matrix)
@@ -144,8 +148,8 @@ def _make_anew(data, wanted, depsgraph):
 
 
 def take_along(data, matrix, depsgraph):
-    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: the space of
-    one that moves freely goes along. Raises as set_parameters()."""
+    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: one that moves
+    freely keeps that. Raises as set_parameters()."""
     stored = recipes.read(data)
     owner, inputs = _in_space(data, stored, depsgraph)
     if placing.moves_freely(data):

@@ -1,7 +1,8 @@
 """The space in which a shape is made from objects, and where those lie in it.
 
 A shape that stays on its inputs is made in the space of its own object. One that moves freely has a space beside it: that stays
-where it is while the shape is moved, or an input, and goes along where all of them are moved as one.
+where it is while the shape is moved, or an input, and goes along where all of them are moved as one. What Apply took out of the
+object is done to what is made there, after it was made: axes, planes and lengths mean what they meant.
 """
 
 from typing import NamedTuple
@@ -13,8 +14,8 @@ from ..core.failures import Refusal
 from . import recipes, store
 
 #: Keys in the group of a recipe: the space's matrix, those of the object and of its inputs when they were looked at last, and
-#: those from the inputs to the space. All float64, row by row.
-_PLACE, _SEEN, _RELATIVE = 'place', 'seen', 'relative'
+#: those from the inputs to the space; what was applied, from the space to the shape. All float64, row by row.
+_PLACE, _SEEN, _RELATIVE, _APPLIED = 'place', 'seen', 'relative', 'applied'
 _SINGLE = float(np.finfo(np.float32).eps)
 
 
@@ -24,6 +25,7 @@ class Space(NamedTuple):
     matrix: np.ndarray                  # (4, 4): from it to the world
     depsgraph: bpy.types.Depsgraph
     kept: dict = {}                     # of an object the (4, 4) from its space to this one, where that is kept
+    applied: np.ndarray = np.eye(4)     # from it to the shape that shows what is made in it
 
     def of(self, ob):
         """(4, 4): from the space of an object, or of the world for None, to this one."""
@@ -85,7 +87,8 @@ def moves_freely(data):
 
 def is_away(data, ob):
     """Whether a shape that moves freely was moved from where its inputs lie."""
-    return moves_freely(data) and not _are_one(_matrices(data, _PLACE)[0], np.array(ob.matrix_world, dtype=np.float64))
+    return moves_freely(data) and not _are_one(_matrices(data, _PLACE)[0],
+                                               np.array(ob.matrix_world, dtype=np.float64) @ _applied(data))
 
 
 def start(data, space, ob, inputs):
@@ -93,11 +96,13 @@ def start(data, space, ob, inputs):
     own = world(ob, space.depsgraph) if ob is not None else space.matrix
     seen = np.array([own, *(world(each, space.depsgraph) for each in inputs)])
     _write(data, space.matrix, seen, np.array([space.of(each) for each in inputs]))
+    if (space.applied != np.eye(4)).any():
+        _write_matrices(data, _APPLIED, space.applied)
 
 
 def stop(data):
     """Let a shape stay on its inputs from now on."""
-    for name in (_PLACE, _SEEN, _RELATIVE):
+    for name in (_PLACE, _SEEN, _RELATIVE, _APPLIED):
         data[recipes.KEY].pop(name, None)
 
 
@@ -116,22 +121,20 @@ def kept_up(data, ob, inputs, depsgraph):
             for i in np.flatnonzero((seen != now).any(axis=(1, 2))[1:]):
                 relative[i] = _between(place, now[i + 1])
         _write(data, place, now, relative)
-    return Space(place, depsgraph, dict(zip(inputs, relative)))
+    return Space(place, depsgraph, dict(zip(inputs, relative)), _applied(data))
 
 
 def now(data, ob, inputs, depsgraph):
     """kept_up() as it was left, with nothing written. Raises Refusal."""
     if not moves_freely(data):
         return of_object(ob, depsgraph)
-    return Space(_matrices(data, _PLACE)[0], depsgraph, dict(zip(inputs, _matrices(data, _RELATIVE))))
+    return Space(_matrices(data, _PLACE)[0], depsgraph, dict(zip(inputs, _matrices(data, _RELATIVE))), _applied(data))
 
 
 def applied(data, matrix, inputs, depsgraph):
-    """The Space of a shape that moves freely after an affine matrix (4, 4) was applied to what it shows: the inputs lie in it as
-    that does."""
-    back = np.linalg.inv(matrix)
-    kept = {each: matrix @ relative for each, relative in zip(inputs, _matrices(data, _RELATIVE))}
-    return Space(_matrices(data, _PLACE)[0] @ back, depsgraph, kept)
+    """The Space of a shape that moves freely after an affine matrix (4, 4) was applied to what it shows."""
+    before = now(data, None, inputs, depsgraph)
+    return before._replace(applied=matrix @ before.applied)
 
 
 def _are_moved_as_one(before, now):
@@ -142,6 +145,11 @@ def _are_moved_as_one(before, now):
     expected = now[0] @ np.linalg.inv(before[0]) @ before[1:]
     sizes = np.abs(now[1:]).max(axis=(1, 2)) + np.abs(now[0]).max()
     return bool((np.abs(expected - now[1:]).max(axis=(1, 2)) <= 1e-3 * moved[1:] + 64 * _SINGLE * sizes).all())
+
+
+def _applied(data):
+    found = _matrices(data, _APPLIED)
+    return found[0] if len(found) else np.eye(4)
 
 
 def _matrices(data, name):
@@ -157,4 +165,8 @@ def _matrices(data, name):
 
 def _write(data, place, seen, relative):
     for name, matrices in ((_PLACE, place), (_SEEN, seen), (_RELATIVE, relative)):
-        store.overwrite(data[recipes.KEY], name, np.ascontiguousarray(matrices, dtype=np.float64).ravel())
+        _write_matrices(data, name, matrices)
+
+
+def _write_matrices(data, name, matrices):
+    store.overwrite(data[recipes.KEY], name, np.ascontiguousarray(matrices, dtype=np.float64).ravel())

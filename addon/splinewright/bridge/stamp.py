@@ -55,6 +55,24 @@ def moved(before, total):
     return [*before[:3], total, *before[4:]]
 
 
+def of_turned_over(data):
+    """of() with every face of a Mesh turned over, as newer versions of Blender do where a mirroring is applied."""
+    if isinstance(data, bpy.types.Curve):
+        return of(data)
+    corners, starts = mesh_layers.corner_vertices(data), _starts(data)
+    counts = np.diff(starts, append=len(corners))
+    within = np.arange(len(corners)) - np.repeat(starts, counts)
+    turned = np.repeat(starts, counts) + np.where(within > 0, np.repeat(counts, counts) - within, 0)
+    found = of(data)
+    return [*found[:4], zlib.crc32(np.ascontiguousarray(corners[turned])), *found[5:]]
+
+
+def _starts(mesh):
+    starts = np.empty(len(mesh.polygons), np.int32)
+    mesh.polygons.foreach_get('loop_start', starts)
+    return starts
+
+
 def _of_mesh(mesh):
     positions = np.empty(3 * len(mesh.vertices), np.float32)
     if 'position' in mesh.attributes:
@@ -62,10 +80,8 @@ def _of_mesh(mesh):
     else:
         mesh.vertices.foreach_get('co', positions)
     corners = np.ascontiguousarray(mesh_layers.corner_vertices(mesh))
-    starts = np.empty(len(mesh.polygons), np.int32)
-    mesh.polygons.foreach_get('loop_start', starts)
     return [len(mesh.vertices), len(mesh.edges), len(mesh.polygons), checksum.of(positions), zlib.crc32(corners),
-            zlib.crc32(starts)]
+            zlib.crc32(_starts(mesh))]
 
 
 def _of_curve(curve):

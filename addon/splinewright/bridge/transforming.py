@@ -5,7 +5,7 @@ from mathutils import Matrix
 
 from ..core import transform
 from ..core.failures import FAILURES, Refusal
-from . import animation, follow, held, point_keys, recipes, remaking, settings, shape, stamp, store
+from . import animation, follow, held, placing, point_keys, recipes, remaking, settings, shape, stamp, store
 
 _CURES = "Restore throws the changes away, Detach keeps them"
 
@@ -63,12 +63,16 @@ def _rest(matrix, location, rotation, scale):
 
 def _set_definition(data, definition, matrix):
     """A mirroring has exchanged u and v of patches: so are their resolutions, and the sides that hold."""
-    is_exchanged = np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves
+    is_exchanged = _exchanges(matrix, definition)
     if is_exchanged:
         settings.exchange_resolutions(data)
     shape.set_definition(data, definition)
     if is_exchanged:
         held.mirror(data)
+
+
+def _exchanges(matrix, definition):
+    return np.linalg.det(matrix[:3, :3]) < 0 and not definition.has_curves
 
 
 def _exact(matrix):
@@ -90,6 +94,8 @@ def adopt(data, depsgraph):
     store.write_stamp(data, stamp.of(data))     # what lies there counts as written from here on
     try:
         if recipes.follows(data):
+            if placing.moves_freely(data) and _exchanges(matrix, store.read(data)):
+                settings.exchange_resolutions(data)
             follow.take_along(data, matrix, depsgraph)
             return ""
         return _take_in(data, matrix)
@@ -110,11 +116,13 @@ def take_in_applied(ob, depsgraph):
 
 def _map_by_others(data):
     definition = store.read(data)
-    if not stamp.same_topology(store.read_stamp(data), stamp.of(data)):
+    known = store.read_stamp(data)
+    is_turned_over = not stamp.same_topology(known, stamp.of(data))
+    if is_turned_over and not stamp.same_topology(known, stamp.of_turned_over(data)):
         raise Refusal(f"its faces or splines were changed, too: {_CURES}")
     before, after = shape.evaluated(data, definition, recipes.around(data)).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
-    if matrix is None:
+    if matrix is None or is_turned_over and not np.linalg.det(matrix[:3, :3]) < 0:
         raise Refusal(f"it was not moved as a whole: {_CURES}")
     return matrix
 

@@ -4,7 +4,7 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import recipes, shape
+from ..bridge import placing, recipes, shape
 from ..bridge.file_state import state
 from ..core.failures import FAILURES
 from ..core.recipes.surface_recipes import axis_of
@@ -39,10 +39,11 @@ def line_of(ob):
 
 
 def _axis(stored, ob):
-    """(a point of the axis, its direction) in the space of a surface of revolution. Raises Refusal."""
-    frames = [np.array(ob.matrix_world.inverted_safe() @ frame.matrix_world, dtype=np.float64)
-              for frame in stored.frames if frame]
-    return axis_of(stored.values['axis'], [stored.values[f"offset_{name}"] for name in "xyz"], *frames)
+    """(a point of the axis, its direction) in the space of a surface of revolution, wherever that was moved to. Raises Refusal."""
+    frames = [frame for frame in stored.frames if frame]
+    space = placing.now(ob.data, ob, (*stored.sources, *frames), bpy.context.evaluated_depsgraph_get())
+    through, direction = axis_of(stored.values['axis'], [stored.values[f"offset_{name}"] for name in "xyz"], *map(space.of, frames))
+    return (space.applied @ [*through, 1.0])[:3], space.applied[:3, :3] @ direction
 
 
 def draw():

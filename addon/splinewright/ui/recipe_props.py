@@ -137,6 +137,10 @@ def draw(layout, data, is_net_out=False):
         row = column.row(align=True)
         row.prop(parameters.of(data), 'frame', text=recipe.frame)
         row.operator("splinewright.axis_from_edge", text="", icon='EDGESEL')
+    for i, _ in enumerate(recipe.lengths):
+        row = column.row(align=True)
+        row.enabled = not is_net_out
+        row.prop(parameters.of(data), _length_name(recipe, i))
     for parameter in recipe.parameters:
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
@@ -148,10 +152,6 @@ def draw(layout, data, is_net_out=False):
                 row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
-    for i, _ in enumerate(recipe.lengths):
-        row = column.row(align=True)
-        row.enabled = not is_net_out
-        row.prop(parameters.of(data), _length_name(recipe, i))
     if recipe.has_more:
         inputs_list.draw(layout, stored)
     if stored.error:

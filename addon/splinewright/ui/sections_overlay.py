@@ -54,7 +54,7 @@ def _edges(ob, sources):
     points = surveys.edges_of(ob.data, sources, [space.of(source) for source in sources])
     if len(points) > _MOST:
         return []
-    matrix = np.array(ob.matrix_world, dtype=np.float64)
+    matrix = np.array(ob.matrix_world, dtype=np.float64) @ space.applied
     return [Section(i + 1, point, point) for i, point in enumerate(points @ matrix[:3, :3].T + matrix[:3, 3])]
 
 
