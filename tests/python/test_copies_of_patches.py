@@ -82,7 +82,8 @@ def test_a_part_of_a_patch_is_one_with_it_up_to_its_borders(inputs):
         assert lengths(found.curves) == pytest.approx(lengths(part.boundary(side) for side in SIDES), rel=1e-4)
 
 
-@pytest.mark.parametrize("patch, wanted", [(build.sphere((0, 0, 0), 1), 0), (build.cylinder((0, 0, 0), (0, 0, 1), 1, 3), 4 * np.pi),
+@pytest.mark.parametrize("patch, wanted", [(build.sphere((0, 0, 0), 1), 0),
+                                           (build.cylinder((0, 0, 0), (0, 0, 1), 1, 3), 4 * np.pi),
                                            (build.torus((0, 0, 0), (0, 0, 1), 3, 1), 0)])
 @pytest.mark.parametrize("noise", [0, 1e-12, 1e-9])
 def test_closed_surfaces_are_one_with_their_copies(patch, wanted, noise):
@@ -146,7 +147,8 @@ def frame_at(patch, u, v):
 def touching(rng):
     """A patch of lines and a plane that touches it in a point: they cross along one of the lines, and another curve."""
     points = np.stack([*np.meshgrid(np.linspace(-1, 1, 3), np.linspace(-1, 1, 2), indexing="ij"), np.zeros((3, 2))], -1)
-    ruled = sc.BezierPatch(points + 0.4 * rng.normal(size=points.shape), weights=10**rng.uniform(-0.5, 0.5, (3, 2))).to_nurbs()
+    weights = 10**rng.uniform(-0.5, 0.5, (3, 2))
+    ruled = sc.BezierPatch(points + 0.4 * rng.normal(size=points.shape), weights=weights).to_nurbs()
     plane = sc.BezierPatch([[(-9, -9, 0), (-9, 9, 0)], [(9, -9, 0), (9, 9, 0)]]).to_nurbs()
     return ruled, plane.transformed(frame_at(ruled, *rng.uniform(0.25, 0.75, 2)))
 
