@@ -26,7 +26,8 @@ class PatchPairSearch {
  public:
   PatchPairSearch(const TwoPatches& patches, const PairLimits& limits, const IsPairKnown& is_matched,
                   const IsPairKnown& is_known)
-      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance), gap_(limits.gap_of_copies),
+      : patches_(patches), smallest_(limits.smallest), slack_(limits.rounding), tolerance_(limits.tolerance),
+        gap_(limits.gap_of_copies),
         is_matched_(is_matched), is_known_(is_known) {}
 
   PatchPairFindings found() {

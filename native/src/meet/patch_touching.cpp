@@ -159,7 +159,8 @@ bool TouchingCurves::ends_well(const SectionTrace& trace) const {
       const bool is_end = at[i] > 0.5;
       const PatchPieces& pieces = i < 2 ? patches_.a : patches_.b;
       const bool is_on_side = std::abs(at[i] - (is_end ? 1.0 : 0.0)) <= kHalfOfDigits;
-      if (is_on_side && !pieces.beyond(i < 2 ? at.a.piece : at.b.piece, {i % 2 == 0 ? Axis::u : Axis::v, is_end})) return true;
+      const PieceSide side{i % 2 == 0 ? Axis::u : Axis::v, is_end};
+      if (is_on_side && !pieces.beyond(i < 2 ? at.a.piece : at.b.piece, side)) return true;
     }
     return false;
   };

@@ -52,11 +52,14 @@ struct Sections {
 /// leave of the range of that parameter is looked at until hulls are apart there or Newton's method finds a place, from
 /// which a curve is followed, so that nothing is left. Where they touch the second derivatives of their distance tell along
 /// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
-/// come to others; such that go on in each other within the tolerance are one. Where patches are within the tolerance of
-/// each other about a point at which they touch, the point says so. S18.
+/// come to others; such that go on in each other within the tolerance are one. Patches that match by parameters, copies
+/// however refined, elevated, reversed or weighted and parts of them, are one where control points prove that they are within
+/// the tolerance; copies that part by up to 128 times as much are looked at by a smaller one. Which patch is given first
+/// changes nothing but images. Where patches are within the tolerance of each other about a point at which they touch, the
+/// point says so. S18.
 /// @param tolerance  none: 2^-20 of the size of both
-/// @throws InvalidShape if the tolerance is below 0 or no number, or after 2^20 pairs, as where patches are nearly one, or run
-///         through infinity together; after 2^25 control points of pairs, as of wild patches of degrees above 25.
+/// @throws InvalidShape if the tolerance is below 0 or no number, or after 3 * 2^17 pairs, as where patches are nearly one,
+///         or run through infinity together; after 2^25 control points of pairs, as of wild patches of degrees above 25.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
 /// The same with a plane; on_b and b have its coordinates. Of a patch that runs through infinity, with weights of both signs,
