@@ -110,3 +110,22 @@ def test_faired_curves_far_away_are_those_near_the_origin(inputs):
         slack = 0.01 * tolerance + 1e-13 * far * size
         assert off(at_shares(plain.value), moved_back(at_shares(moved.value), motion)) <= slack, seed
         assert abs(plain.error - moved.error / scale) <= slack, seed
+
+
+def test_a_stretch_that_comes_to_rest_is_found_however_refined():
+    """Of the last 1e-6 before it rests the nearest place lies between the end and what is looked at beside it."""
+    weights = [0.6146893213348281, 3.132686605456112, 0.009905607718017243, 0.001467994884345279, 899.3317373788227,
+               229.96771315980496, 0.0020190069436772764, 6.836530165571941]
+    points = [(0.6348464197425387, -0.4412755748178758, -0.3123834743029381),
+              (0.4263048728539667, -0.5967348168724687, -0.5899292877944313),
+              *[(0.4335431685814706, 0.9896150405522783, -0.6546369539103278)] * 3,
+              (0.1253677328984053, 0.7467988218458481, -0.73825081072538),
+              (0.42783980534250277, -0.3879085907301616, 0.7173294634222074),
+              (-0.5007039688546713, -0.648026768298454, -0.5721140921389258)]
+    knots = [0.0, 0.0, 0.0, 0.20219289702733712, 0.4632278866795384, 0.7119096743535488, 0.7119096743535488,
+             0.7769725407340635, 1.0, 1.0, 1.0]
+    curve = sc.NurbsCurve(2, knots, points, weights)
+    part = curve.part(0.1912683975109043, 0.5138331863555675)
+    for seed in range(20):
+        refined = curve.refine(np.sort(np.random.default_rng(seed).uniform(0, 1, 3)))
+        assert counts(refined.intersections(part)) == (0, 1) == counts(part.intersections(refined)), seed

@@ -245,38 +245,25 @@ bool turns_back(const CurvePieces& curve, double low, double high, double distan
 
 namespace {
 
-/// Whether a part of a piece goes away from a point at an end of it, or stands beside it. Where the curve stands still,
-/// but for rounding, the way is that a little inside.
-bool goes_away_at_end(const CurvePieces& curve, std::size_t piece, const Interval& range, bool is_end,
-                      const glm::dvec3& point) {
+/// How a part of a piece leaves an end of it: away from a point, or beside it; nearer to it; or hardly, as rounding has it.
+enum class EndSlope { away, nearer, still };
+
+EndSlope slope_at_end(const CurvePieces& curve, std::size_t piece, const Interval& range, bool is_end, const glm::dvec3& point) {
   constexpr double kStill = 0x1p-44;
-  constexpr double kInside = 0x1p-20;
-  constexpr double kMostInside = 0x1p-3;
-  const double from = is_end ? range.end : range.start;
-  const double inwards = is_end ? -range.length() : range.length();
-  const auto is_still = [&](const Slopes<1>& s, double t) {
-    const double speed = glm::length(s.first[0]);
-    return speed * range.length() <= kStill || curve.is_rounding(speed, {piece, t});
-  };
-  double at = from;
-  Slopes<1> s = curve.at({piece, at}, point);
-  for (double share = kInside; share < kMostInside && is_still(s, at); share *= 4.0) {
-    at = from + share * inwards;
-    s = curve.at({piece, at}, point);
-  }
+  const CurveSpot end{piece, is_end ? range.end : range.start};
+  const Slopes<1> s = curve.at(end, point);
+  const double speed = glm::length(s.first[0]);
+  if (speed * range.length() <= kStill || curve.is_rounding(speed, end)) return EndSlope::still;
   const double slope = glm::dot(s.offset, s.first[0]);
-  return is_end ? slope <= 0.0 : slope >= 0.0;
+  return (is_end ? slope <= 0.0 : slope >= 0.0) ? EndSlope::away : EndSlope::nearer;
 }
 
-}  // namespace
-
-double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
+/// Of a part that goes nearer to a point and then away, by Newton's method in the bracket.
+double foot_inside(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
   constexpr int kMost = 100;
   double low = range.start;
   double high = range.end;
-  if (goes_away_at_end(curve, piece, range, false, point)) return low;
-  if (goes_away_at_end(curve, piece, range, true, point)) return high;
-  double t = 0.5 * (low + high);
+  double t = range.middle();
   for (int round = 0; round < kMost; ++round) {
     breathe(32);
     const Slopes<1> s = curve.at({piece, t}, point);
@@ -288,6 +275,22 @@ double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& rang
     t = next;
   }
   return t;
+}
+
+}  // namespace
+
+double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& range, const glm::dvec3& point) {
+  const EndSlope start = slope_at_end(curve, piece, range, false, point);
+  if (start == EndSlope::away) return range.start;
+  const EndSlope end = slope_at_end(curve, piece, range, true, point);
+  if (end == EndSlope::away) return range.end;
+  const double foot = foot_inside(curve, piece, range, point);
+  // Where the curve hardly moves an end is as near but for rounding.
+  constexpr double kRounding = 0x1p-50;
+  const auto far = [&](double t) { return glm::length(curve.at({piece, t}, point).offset); };
+  if (start == EndSlope::still && far(range.start) <= far(foot) + kRounding) return range.start;
+  if (end == EndSlope::still && far(range.end) <= far(foot) + kRounding) return range.end;
+  return foot;
 }
 
 }  // namespace splinecore
