@@ -133,7 +133,7 @@ void bind_loft(py::module_& build) {
             "moved. Skinning (The NURBS Book, 10.3; lecture row S20).\n\n"
             "style: 'normal' by distances, 'tight' by their roots, 'uniform', 'loose' where sections are rows of control\n"
             "points, 'straight' by segments. degree is that along v. align: directions and seams of sections are those of\n"
-            "the section before; closed sections make the surface periodic. turned (n,): sections that run the other way than\n"
+            "the section before, closed ones begin where knots are shared; closed sections make the surface periodic. turned (n,): sections that run the other way than\n"
             "that. corners: 'free', or 'matched', where all sections have as many, see corner_counts(): all have the same\n"
             "parameters, the surface has an edge for each, and aligned closed sections begin at one. weights, which each curve may have multiplied by any factor: 'scaled', divided by their mean, or 'kept'. With\n"
             "a tolerance, a length, sections may be moved so far for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"

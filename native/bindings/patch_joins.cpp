@@ -162,7 +162,8 @@ void bind_seam_function(py::module_& module) {
              "'v_end'.\n\n"
              "Places of both are those equally far along the parameters of their sides, the second's against the\n"
              "first's if reversed, by default as their ends lie nearer: close in every span, both sides of each knot, and closer\n"
-             "where gap, angle or difference of curvatures are largest, or parameters (n,) in [0, 1]. Below the tolerance an angle\n"
+             "where gap, angle or difference of curvatures are largest, or parameters (n,) in [0, 1]: the largest found, no bounds.\n"
+             "Below the tolerance an angle\n"
              "or a relative difference of derivatives or curvatures is called none; a gap is none if rounding makes it. Where\n"
              "tangent planes are common, one curvature decides (Pegna and Wolter 1992). InvalidShape if a side lies at infinity or is the seam of a periodic axis.\n"
              "Rows S16, S21.");

@@ -77,7 +77,8 @@ void bind_two_rails(py::module_& build) {
             "sweep(), u along the sections, v by the parameter of the first rail (row S20).\n\n"
             "Sections are given with x from the first rail to the second one, and stretched along it so that they stay between\n"
             "both; their height, along y and z, is 'scaled' with it or 'kept'. y stays near `up` (3,), or is at right angles to\n"
-            "the rails. tolerance, a length: by default 2^-20 of the size of the rails.\n"
+            "the rails. What a section passes by a rail is in the error. tolerance, a length: by default 2^-20 of the size of the\n"
+            "rails.\n"
             "InvalidShape as sweep(), or if a section touches neither rail, the rails meet, have corners and there is no `up`, run from one to the other\n"
             "or against each other; ToleranceNotReached.");
 }

@@ -134,8 +134,9 @@ double gap_at_rails(const RailSection& section, double width, std::size_t index)
     gaps[i] = (of_ends <= kTouches * width ? of_ends : found[i].distance) / width;
   }
   if (std::min(gaps[0], gaps[1]) <= kTouches) return std::max(gaps[0], gaps[1]);
-  throw InvalidShape("sections" + index_text(index) + " touches neither rail: where it is, x is to go from 0, on the first one, to " +
-                     text_of(width) + ", on the second one");
+  throw InvalidShape("sections" + index_text(index) +
+                     " touches neither rail: where it is, x is to go from 0, on the first one, to " + text_of(width) +
+                     ", on the second one");
 }
 
 struct SectionsBetween {

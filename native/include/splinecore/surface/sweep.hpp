@@ -69,8 +69,8 @@ struct TwoRailOptions {
 ///
 /// x of a section points from the first rail to the second one, and is stretched so that it stays between them; z is at
 /// right angles to it and to y. Rows are fitted as those of sweep(). Closed where both rails are, smoothly.
-/// @returns the surface, and how far it may be from the sweep, with what a section passes by a rail where the rails are farthest apart
-/// @returns the surface, and how far rows were found to be from where they should be
+/// @returns the surface, and how far rows were found to be from where they should be, with what a section passes by a rail
+///          where the rails are farthest apart
 /// @throws InvalidShape as sweep(), or if a section touches neither rail, the rails meet, run against each other on the whole
 ///         or somewhere straight, have corners without an upright direction, or run along the way from one to the other;
 ///         ToleranceNotReached.
