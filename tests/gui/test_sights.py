@@ -147,7 +147,7 @@ def straight(view):
     view.move(420, 200)
     view.press('TAB')
     yield from into_net()
-    yield from switched_on(view, 'curve', "straight", least=0.01)
+    yield from redrawn()                # without the switch
     view.press('A', alt=True)
     theme = bpy.context.preferences.themes[0].view_3d
     yield from until(lambda: shows(view, (1, 0.3, 0), theme.vertex), "a point above the curve")

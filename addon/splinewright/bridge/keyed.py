@@ -49,7 +49,7 @@ def _show(data, evaluated, depsgraph):
     """Whether the shape changed. Whatever goes wrong is kept in words: others are to be shown, too."""
     try:
         paths = animation.paths(data)
-        is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated)
+        is_other = any(path.startswith(_OF_SETTINGS) for path in paths) and _take_settings(data, evaluated, paths)
         changes = _changes(data, evaluated, {path.removeprefix(_OF_PARAMETERS) for path in paths})
         definition, problem = point_keys.given(data, evaluated) if _goes_by_keys(data) else (None, "")
         if changes:
@@ -80,9 +80,11 @@ def _goes_by_keys(data):
     return state.shows_keys or keyed_net.held_net(data) is None
 
 
-def _take_settings(data, evaluated):
-    """Whether a shape was written by other settings than it has now."""
+def _take_settings(data, evaluated, paths):
+    """Whether a shape was written by other settings than it has now. A resolution of curves that has keys counts."""
     given = settings.values(evaluated)
+    if isinstance(data, bpy.types.Curve) and given['mode'] == settings.AUTOMATIC and f"{_OF_SETTINGS}resolution_u" in paths:
+        given['mode'] = settings.COUNT
     settings.take(data, given)
     return state.shown.get(key(data)) != given
 

@@ -6,7 +6,6 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import sights
 from ..bridge.file_state import key, state
 from ..bridge.net import live, selection
 from . import colors, editing, strokes
@@ -20,13 +19,10 @@ def draw_lines():
 
 def draw_points():
     """Called by Blender for each 3D view: what lies above the lines of shapes, too."""
-    chosen = sights.of(bpy.context.scene)
-    covers_curves = chosen.curve or chosen.deviation
     for ob in _nets_seen():
         prepared = _prepared(ob)
         _draw_net(ob, prepared.points)
-        if ob.type == 'MESH' or covers_curves:
-            _draw_net(ob, prepared.covered)
+        _draw_net(ob, prepared.covered)
 
 
 def _nets_seen():

@@ -22,7 +22,7 @@ def draw_paint():
 
 def draw():
     """Called by Blender for each 3D view: lines and points."""
-    context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)))
+    context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)), is_any_on=bool(state.nets))
     if chosen is None:
         return
     if chosen.deviation:
@@ -47,10 +47,10 @@ def draw_legend():
             surface_paint.draw_legend(context, chosen, shapes_seen(context))
 
 
-def _chosen(switches):
+def _chosen(switches, is_any_on=False):
     """The switches, or None where all of these are off, or overlays are."""
     chosen = sights.of(bpy.context.scene)
-    is_any_on = any(getattr(chosen, switch) for switch in switches)
+    is_any_on = is_any_on or any(getattr(chosen, switch) for switch in switches)
     return chosen if is_any_on and bpy.context.space_data.overlay.show_overlays else None
 
 
@@ -75,10 +75,13 @@ def shapes_seen(context):
 
 
 def _strokes(ob, chosen):
-    """(whether what lies before is drawn over, Strokes) of an object; what lies above others comes last."""
+    """(whether what lies before is drawn over, Strokes) of an object; what lies above others comes last. A curve whose net is out
+    is always drawn: Blender's thin line is lost beside its polygon."""
+    is_out = _is_net_out(ob.data)
     for sight in SIGHTS:
         is_net = sight.switch == 'polygon'
-        if getattr(chosen, sight.switch) and sight.type in ('', ob.type) and not (is_net and _is_net_out(ob.data)):
+        is_on = getattr(chosen, sight.switch) or (is_out and sight.switch == 'curve')
+        if is_on and sight.type in ('', ob.type) and not (is_net and is_out):
             behind = chosen.points_behind and (is_net or ob.type == 'CURVE')
             yield behind, sights_strokes.prepared(sight, ob.data, chosen)
 

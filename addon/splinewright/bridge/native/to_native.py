@@ -2,7 +2,7 @@
 
 from ...core.definition import CURVES
 from ...core.failures import Refusal
-from .. import (animation, curve_layers, curve_pieces, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, settings,
+from .. import (animation, curve_layers, curve_pieces, fineness, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, settings,
                 shape, store)
 from ..look import Look
 from . import native_layers, native_links, retype, write_native
@@ -32,7 +32,8 @@ def to_native(context, ob):
 
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
-    steps = settings.of(data).resolution_u
+    curves = [value] if isinstance(value, CURVES) else value
+    steps = max(fineness.steps_of(data, curve) for curve in curves)
     pieces, types = curve_pieces.of(data, store.read(data)), handles.known(data)
     if handles.problem(data):
         lost.append("the handle types, which are damaged")
@@ -43,7 +44,6 @@ def _curve(context, ob, value, planned, users):
     shape.detach(data)
     curve_layers.forget(data)
     deviation = write_native.write_curves(data, planned, steps, types)
-    curves = [value] if isinstance(value, CURVES) else value
     unlike = native_layers.give(data, planned, [curve.domain for curve in curves], pieces)
     if is_flat:
         data.dimensions = '2D'

@@ -18,6 +18,9 @@ _HANDLES = ('handle_left', 'co', 'handle_right')
 _COMPUTED = (handles.AUTO, handles.VECTOR, handles.ALIGNED)
 _FLAGS = ('select_left_handle', 'select_control_point', 'select_right_handle')
 
+#: Into so many pieces Blender cuts segments that it draws itself.
+_SHOWN = 64
+
 
 def make(name, net, letters):
     """A new Curve that shows the net of curves, whose points carry the numbers from 0 on. letters: as of
@@ -30,6 +33,7 @@ def make(name, net, letters):
         spline = curve.splines.new(part.kind)
         if part.kind == 'BEZIER':
             last = first + 3 * part.count
+            spline.resolution_u = _SHOWN
             _fill_bezier(spline, part, net.single[first:last].reshape(-1, 3, 3), letters[first:last].reshape(-1, 3))
         else:
             last = first + part.count
