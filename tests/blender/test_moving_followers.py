@@ -303,8 +303,8 @@ def test_apply_leaves_what_is_seen_and_it_goes_on_following(is_free):
 PROFILE = sc.BezierCurve(np.array([(0.3, 0, 0), (1.2, 0, 0), (0.4, 0, 1.2), (0.9, 0, 2)], float))
 BOWL = sc.BezierPatch([[(x, y, 1.0 - 0.2 * x * x + 0.1 * y) for y in (0.0, 1.0, 2.0)] for x in (0.0, 0.7, 1.4, 2.0)])
 #: Where axes, planes, directions and lengths count beside the inputs.
-WITH_NUMBERS = {'revolve': PROFILE, 'extrude': PROFILE, 'pipe': PROFILE, 'about': PROFILE, 'offset': PROFILE, 'mirror': BOWL, 'planes': BOWL,
-                'thickened': BOWL, 'extended_surface': BOWL}
+WITH_NUMBERS = {**dict.fromkeys(('revolve', 'extrude', 'pipe', 'about', 'offset'), PROFILE),
+                **dict.fromkeys(('mirror', 'planes', 'thickened', 'extended_surface'), BOWL)}
 
 
 def nearest_distance(a, b):

@@ -1,5 +1,5 @@
-"""Results of every kind beside one another: moved, rotated, scaled, mirrored by a scale of -1, taken back and done again, copied by Shift+D
-and Alt+D, given a parent, their transforms applied, saved, opened; their inputs change between. All by keys."""
+"""Results of every kind beside one another: moved, rotated, mirrored by a negative scale, taken back and done again, copied by
+Shift+D and Alt+D, given a parent, their transforms applied, saved, opened; their inputs change between. All by keys."""
 
 import os
 import sys
@@ -42,7 +42,8 @@ KINDS = {
     'ruled': (WAVE, line((0, 0, 2), (1, -1, 2), (3, 0, 2))),
     'loft': tuple(sc.conics.circle((0, 0, height), radius) for height, radius in ((0, 1), (1, 0.5), (2, 1.2))),
     'sweep': (line((0, 0, 0), (0, 0, 1), (1, 0, 2), (2, 0, 2)), sc.conics.circle((0, 0, 0), 0.4)),
-    'two_rails': (line((0, 0, 0), (1, -0.3, 0), (2, 0, 0)), line((0, 2, 0), (1, 2.5, 0), (2, 2, 0)), line((0, 0, 0), (0, 1, 1), (0, 2, 0))),
+    'two_rails': (line((0, 0, 0), (1, -0.3, 0), (2, 0, 0)), line((0, 2, 0), (1, 2.5, 0), (2, 2, 0)),
+                  line((0, 0, 0), (0, 1, 1), (0, 2, 0))),
     'pipe': (line((0, 0, 0), (1, 2, 0), (2, -2, 1), (3, 0, 1)),),
     'network': quarters(),
     'filling': quarters(),
@@ -94,7 +95,8 @@ def all_seen():
 
 def boxes():
     """Where they lie, whatever the order of their points, which a mirroring that is applied exchanges."""
-    return {kind: np.array([points.min(axis=0), points.mean(axis=0), points.max(axis=0)]) for kind, points in all_seen().items()}
+    return {kind: np.array([points.min(axis=0), points.mean(axis=0), points.max(axis=0)])
+            for kind, points in all_seen().items()}
 
 
 def matrices():
@@ -156,7 +158,8 @@ def transformed(view):
         places.append(matrices())
         found.append(all_seen())
         assert set(unlike(places[-1], places[-2], 1e-6)) == set(MADE), text
-        wanted = {kind: under(points, places[-1][kind] @ np.linalg.inv(places[-2][kind])) for kind, points in found[-2].items()}
+        wanted = {kind: under(points, places[-1][kind] @ np.linalg.inv(places[-2][kind]))
+                  for kind, points in found[-2].items()}
         assert unlike(found[-1], wanted) == {}, text
         require_whole()
     picture("transformed")
@@ -179,7 +182,7 @@ def copied(view):
         assert len(names) == len(MADE) and not names & set(MADE.values())
         for kind, name in MADE.items():
             original = bpy.data.objects[name]
-            copy, = (one for one in map(bpy.data.objects.get, names) if one.name.partition(".")[0] == name.partition(".")[0])
+            copy, = (bpy.data.objects[one] for one in names if one.partition(".")[0] == name.partition(".")[0])
             assert (copy.data == original.data) == linked, kind
             COPIES.setdefault(kind, []).append(copy.name)
         require_copies()
@@ -203,7 +206,7 @@ def inputs_changed(view):
     before = all_seen()
     yield from by_keys.choose(view, *visible_inputs())
     followers = {kind for kind, names in INPUTS.items() if set(names) <= set(visible_inputs())}
-    assert followers == set(KINDS) - {'rounded_edge', 'mirror'}     # they hide theirs
+    assert followers == set(KINDS) - {'rounded_edge', 'thickened', 'extended_surface', 'mirror'}     # they hide theirs
     bpy.context.scene.tool_settings.transform_pivot_point = 'INDIVIDUAL_ORIGINS'
     yield from by_keys.keys(view, "S 1.2 Enter")
     yield from until(lambda: set(unlike(all_seen(), before)) == followers, "all follow")
@@ -229,7 +232,8 @@ def parented(view):
     assert unlike(all_seen(), before) == {}
     yield from by_keys.choose(view, parent)
     yield from by_keys.keys(view, "G Y 3 Enter")
-    yield from until(lambda: not unlike(all_seen(), {kind: points + (0, 3, 0) for kind, points in before.items()}), "each moves once")
+    wanted = {kind: points + (0, 3, 0) for kind, points in before.items()}
+    yield from until(lambda: not unlike(all_seen(), wanted), "each moves once")
     require_whole()
 
 
@@ -239,11 +243,12 @@ def applied(view):
     yield from redrawn()
     view.press('C', "c")                        # Clear and Keep Transformation
     yield from until(lambda: not any(bpy.data.objects[name].parent for name in MADE.values()), "Alt+P")
-    yield from by_keys.choose(view, *(name for names in COPIES.values() for name in names))
+    copies = [name for names in COPIES.values() for name in names]
+    yield from by_keys.choose(view, *copies)
     view.press('X')
     yield from redrawn()
     view.press('RET')
-    yield from until(lambda: not any(name in bpy.data.objects for names in COPIES.values() for name in names), "X deletes the copies")
+    yield from until(lambda: not set(copies) & set(bpy.data.objects.keys()), "X deletes the copies")
     yield from by_keys.choose(view, *MADE.values())
     before = boxes()
     view.press('A', ctrl=True)

@@ -1,5 +1,5 @@
-"""A patch is split, one of its parts the other way: nothing comes open. In the net P takes a part out and X deletes one; a mesh becomes NURBS,
-and its panel is whole. Undone, saved, opened."""
+"""A patch is split, one of its parts the other way: nothing comes open. In the net P takes a part out and X deletes one; a mesh
+becomes NURBS, and its panel is whole. Undone, saved, opened."""
 
 import os
 import sys
@@ -67,8 +67,8 @@ def inner_points(number):
     """Of a part in the net, the points that no other part has."""
     net = part('bridge.net.live').session(nets()[0].data).net
     pieces = net.definition.pieces
-    rows = set(pieces[number].indices.ravel().tolist()).difference(*(each.indices.ravel().tolist() for i, each in enumerate(pieces)
-                                                                    if i != number))
+    used = [set(each.indices.ravel().tolist()) for each in pieces]
+    rows = used[number].difference(*used[:number], *used[number + 1:])
     return [vertex for vertex, row in enumerate(net.rows) if int(row) in rows]
 
 
@@ -81,7 +81,7 @@ def taken(view):
     select_points(*inner_points(0))
     yield from redrawn()
     view.press('P')
-    yield from until(lambda: len([ob for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)]) == 2, "P takes a part out")
+    yield from until(lambda: len(list(filter(part('bridge.shape').has_shape, bpy.data.objects))) == 2, "P takes a part out")
     assert count() == many - 1
     yield from redrawn()
     picture("taken")

@@ -1,5 +1,5 @@
-"""An ellipse gets its half axes by typed numbers and is swept along a rail; a pipe is made of the rail, too: both follow the radius of its
-points, which Alt+S changes. Undone, saved, opened."""
+"""An ellipse gets its half axes by typed numbers and is swept along a rail; a pipe is made of the rail, too: both follow the
+radius of its points, which Alt+S changes. Undone, saved, opened."""
 
 import os
 import sys
@@ -119,7 +119,8 @@ def thicker(view):
 def kept(view):
     def is_whole():
         assert all(part('bridge.follow').problem(bpy.data.objects[name].data) == "" for name in NAMES.values())
-    yield from by_keys.followed_when_opened(view, OUTPUT / "tube.blend", lambda: value('pipe'), is_whole, NAMES['rail'], "S X 1.2 Enter")
+    pipe = lambda: value('pipe')
+    yield from by_keys.followed_when_opened(view, OUTPUT / "tube.blend", pipe, is_whole, NAMES['rail'], "S X 1.2 Enter")
     picture("opened")
 
 

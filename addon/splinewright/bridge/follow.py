@@ -148,8 +148,8 @@ def _make_anew(data, wanted, depsgraph):
 
 
 def take_along(data, matrix, depsgraph):
-    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: one that moves
-    freely keeps that. Raises as set_parameters()."""
+    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: one that
+    moves freely keeps that. Raises as set_parameters()."""
     stored = recipes.read(data)
     owner, inputs = _in_space(data, stored, depsgraph)
     if placing.moves_freely(data):

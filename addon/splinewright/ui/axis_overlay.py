@@ -39,10 +39,12 @@ def line_of(ob):
 
 
 def _axis(stored, ob):
-    """(a point of the axis, its direction) in the space of a surface of revolution, wherever that was moved to. Raises Refusal."""
+    """(a point of the axis, its direction) in the space of a surface of revolution, wherever that was moved to. Raises
+    Refusal."""
     frames = [frame for frame in stored.frames if frame]
     space = placing.now(ob.data, ob, (*stored.sources, *frames), bpy.context.evaluated_depsgraph_get())
-    through, direction = axis_of(stored.values['axis'], [stored.values[f"offset_{name}"] for name in "xyz"], *map(space.of, frames))
+    offset = [stored.values[f"offset_{name}"] for name in "xyz"]
+    through, direction = axis_of(stored.values['axis'], offset, *map(space.of, frames))
     return (space.applied @ [*through, 1.0])[:3], space.applied[:3, :3] @ direction
 
 

@@ -197,15 +197,15 @@ RECIPES = (
     Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it follows it",
            (_distance("Thickness", "Along the normals; below 0 to the other side"),
             Parameter("middle", "To Both Sides", "Half of it to each side", False), _PIECE, _TOLERANCE),
-           _thickened, is_surface=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True,
+           _thickened, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True,
            first_values=_first_distance),
     Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it follows it",
            (Parameter("side", "Side", "Where it is made longer", "u_end", choices=_SIDES[1:]),
             Parameter("length", "Length", "On average along the side", 0.5, 1e-6, unit='LENGTH'),
             Parameter("how", "How", "How it goes on", "natural", choices=(
                 ("natural", "Natural", "By the polynomials of its last span"), ("straight", "Straight", "Along its tangents"))), _PIECE),
-           _extended, is_surface=True, resolution=8, inputs=("one surface",)),
+           _extended, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface",)),
     Recipe("of_mesh", "Make NURBS of Mesh",
            "The surface to which a mesh converges that is subdivided (Catmull and Clark), as exact patches; it follows the mesh",
-           (), _of_mesh, is_surface=True, resolution=3, inputs=("one mesh",), is_from_mesh=True, takes_cancel=True),
+           (), _of_mesh, is_surface=True, covers_inputs=True, resolution=3, inputs=("one mesh",), is_from_mesh=True, takes_cancel=True),
 )
