@@ -330,6 +330,8 @@ def test_apply_keeps_what_axes_planes_and_lengths_mean(kind, step):
     ob = made(f'add_{kind}', source)
     source.hide_set(False)
     other = made(f'add_{kind}', source)
+    for each in (ob, other):
+        each.data.splinewright.mode = 'COUNT'
     for _ in range(2):
         move(step, ob)
         move(step, other)

@@ -169,7 +169,7 @@ def test_every_verb_is_in_the_menu_and_in_the_sidebar():
 
     class Self:
         layout = Layout()
-    by_mouse = ['insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here']
+    by_mouse = ['insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here', 'round_here']
     for draw, above in ((tools.SPLINEWRIGHT_MT_patch.draw, []), (tools.SPLINEWRIGHT_PT_patch_tools.draw, by_mouse)):
         drawn.clear()
         draw(Self, bpy.context)
