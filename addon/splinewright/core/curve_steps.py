@@ -39,9 +39,9 @@ def _samples(curve, ends):
 
 
 def _turns_little(points, ways, count, angle, short):
-    cosines = np.einsum('ijk,ijk->ij', ways[:, :-1], ways[:, 1:])
-    sines = np.linalg.norm(np.cross(ways[:, :-1], ways[:, 1:]), axis=-1)
-    turns = np.arctan2(sines, cosines).reshape(len(ways), count, -1).sum(axis=-1)
+    stands = ~ways.any(axis=-1)
+    parts = np.where(stands[:, :-1] | stands[:, 1:], 0.0, np.linalg.norm(np.diff(ways, axis=1), axis=-1))
+    turns = parts.reshape(len(ways), count, -1).sum(axis=-1)
     every = _PARTS // count
     lengths = np.linalg.norm(np.diff(points[:, ::every], axis=1), axis=-1)
     return bool(((turns <= angle) | (lengths <= short)).all())
