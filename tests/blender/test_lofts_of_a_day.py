@@ -5,11 +5,12 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
+from mathutils.bvhtree import BVHTree
 
 from layouts import Layout, drawn_by
 from patches import value_of
 from shapes import activate, add, enter, leave, op, require_exact
-from support import part, splinecore as sc
+from support import part, splinecore as sc, vertices
 
 follow, problems, recipes = (part(name) for name in ('bridge.follow', 'bridge.problems', 'bridge.recipes'))
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
@@ -126,3 +127,21 @@ def _of_x():
     assert ("VIEW3D_MT_edit_mesh_delete", menus._draw_delete) in menus._TOPS
     menus._draw_delete(SimpleNamespace(layout=layout), bpy.context)
     return layout.operators
+
+
+def test_a_loft_of_few_sections_is_smooth_and_thick_without_very_many_faces():
+    """By default faces are within a thousandth of the size, and a thick surface has about twice as many."""
+    rings = [ring(z, f"at {z}") for z in (0.0, 1.0, 2.0, 3.0)]
+    for each, scale in zip(rings, (1.0, 1.6, 0.8, 1.2)):
+        each.scale = scale, scale, 1.0
+    skin = loft(*rings)
+    assert skin.data.splinewright.mode == 'AUTOMATIC'
+    assert op(bpy.ops.splinewright.add_thickened, distance=0.05) == {'FINISHED'}
+    thick = bpy.context.object
+    assert 500 < len(skin.data.vertices) < 6_000 and len(thick.data.vertices) < 15_000
+    count = 40
+    u, v = (np.linspace(*domain, count) for domain in skin.data.splinewright.value.domain)
+    tree = BVHTree.FromPolygons(vertices(skin.data).tolist(), [tuple(face.vertices) for face in skin.data.polygons])
+    points = skin.data.splinewright.value.evaluate_grid(u, v).reshape(-1, 3)
+    size = np.linalg.norm(np.ptp(points, axis=0))
+    assert max(tree.find_nearest(point)[3] for point in points.tolist()) <= 1.1e-3 * size
