@@ -27,7 +27,7 @@ def state(name):
 def change(view, add, name):
     """Steps: a field by the mouse wheel, a move, the field again; then back and forth by keys."""
     with view.override():
-        add('EXEC_DEFAULT', True)
+        add('EXEC_DEFAULT', True, resolution_u=8)
     yield from redrawn()
     view.move(view.region.x + view.region.width // 3, view.region.y + view.region.height // 2)
     view.press('TAB')

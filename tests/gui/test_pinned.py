@@ -16,8 +16,8 @@ def steps():
     view = View()
     empty_file()
     with view.override():
-        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True)
-        bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
+        bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True, resolution_u=8)
+        bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True, resolution_u=8, resolution_v=8)
         bpy.context.view_layer.objects.active = bpy.data.objects["NURBS Curve"]
     pinned, active = bpy.data.objects["NURBS Patch"], bpy.data.objects["NURBS Curve"]
     area = view.beside('PROPERTIES')

@@ -61,6 +61,7 @@ def make_scene():
     for name, y in (("plane", 0), ("grower", -5)):
         keys(plane(name, 1, y).data.splinewright_parameters, 'plane_width', {1: 1.0, 201: 201.0})
     again = follow(bpy.data.objects["grower"], "again")
+    again.data.splinewright.mode = 'COUNT'
     keys(again.data.splinewright, 'resolution_u', {1: 1, 201: 201})
     scene = bpy.context.scene
     scene.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))

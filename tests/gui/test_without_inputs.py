@@ -40,6 +40,7 @@ def scene(view):
         bpy.ops.object.select_all(action='SELECT')
         bpy.ops.splinewright.add_loft('EXEC_DEFAULT', True)
         NAMES['loft'] = bpy.context.object.name
+        bpy.context.object.data.splinewright.mode = 'COUNT'
         NAMES['rings'] = [ob.name for ob in bpy.data.objects if ob.type == 'CURVE']
         bpy.ops.view3d.view_all(center=False)
         bpy.ops.ed.undo_push(message="loft")
