@@ -136,6 +136,7 @@ def made(view):
             known = set(bpy.data.objects.keys())
             verb('EXEC_DEFAULT', True)
             MADE[kind], = set(bpy.data.objects.keys()) - known
+            bpy.data.objects[MADE[kind]].data.splinewright.mode = 'COUNT'   # the same points wherever they lie
     with view.override():
         bpy.ops.view3d.view_axis(type='TOP')
         bpy.context.space_data.region_3d.view_rotation = (0.9, 0.42, 0.05, 0.1)
