@@ -83,6 +83,7 @@ def distinct(looks):
 def steps():
     view = View()
     empty_file()
+    part('ui.preferences').get().surface_mode = 'COUNT'     # automatic faces stay while points are dragged
     view.open_sidebar()
     view.move(420, 690)                 # the menu must fit below
     yield from redrawn()
