@@ -9,8 +9,8 @@ import pytest
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-recipes, follow, problems, sections_overlay = (part(name) for name in (
-    'bridge.recipes', 'bridge.follow', 'bridge.problems', 'ui.sections_overlay'))
+recipes, follow, problems, sections_overlay, round_here = (part(name) for name in (
+    'bridge.recipes', 'bridge.follow', 'bridge.problems', 'ui.sections_overlay', 'ui.operators.round_here'))
 SQUARE = sc.build.contour([(0, 0, 0), (3, 0, 0), (3, 2, 0), (0, 2, 0)], closed=True)
 
 
@@ -97,6 +97,19 @@ def test_the_view_shows_the_numbers_of_edges_where_they_are():
     ob.location.z += 3.0
     bpy.context.view_layer.update()
     assert np.allclose(sections_overlay.shown(ob)[number - 1].foot, (5, 0, 3.5))
+
+
+def test_edges_that_are_clicked_lie_where_their_numbers_are_also_after_apply():
+    ob = rounded(add(box(), "box"), radius=0.2)
+    ob.location, ob.rotation_euler, ob.scale = (2, 1, 0.5), (0.3, 0.2, 0.7), (1, 2, 0.5)
+    bpy.context.view_layer.update()
+    for _ in range(2):
+        lines, chosen = round_here._edges(bpy.context)
+        middles = np.array([line[len(line) // 2] for line in lines])
+        assert len(lines) == 12 and set(chosen) == set(range(1, 13))
+        assert np.allclose(middles, [one.foot for one in sections_overlay.shown(ob)], atol=1e-5)
+        bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+        bpy.context.view_layer.update()
 
 
 def test_three_walls_of_three_objects_meet_in_a_part_of_a_ball():

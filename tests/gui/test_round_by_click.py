@@ -8,7 +8,8 @@ from pathlib import Path
 import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
+from box_scene import box
+from window import View, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: In the middle of edges that are seen.
@@ -24,17 +25,12 @@ def rounding():
 
 
 def scene(view):
-    sc = part('core.library').sc
-    square = sc.build.contour([(-1.5, -1, 0), (1.5, -1, 0), (1.5, 1, 0), (-1.5, 1, 0)], closed=True)
-    box = sc.PatchSet.from_patches(sc.build.cap([sc.build.extrude(square, (0, 0, 1))], None).value)
+    yield from box(view)
     with view.override():
-        empty_file()
-        ob = bpy.data.objects.new("box", part('bridge.shape').new_data("box", box, (4, 4)))
-        bpy.context.scene.collection.objects.link(ob)
+        ob = bpy.data.objects["box"]
         bpy.context.view_layer.objects.active = ob
         ob.select_set(True)
-        bpy.ops.view3d.view_all(center=False)
-        bpy.ops.ed.undo_push(message="box")
+        bpy.ops.ed.undo_push(message="select")
     yield from redrawn()
 
 

@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
+from box_scene import box
+from window import View, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -19,19 +20,6 @@ def picture(name):
 
 def numbers():
     return part('ui.sections_overlay').shown(bpy.context.object)
-
-
-def scene(view):
-    sc = part('core.library').sc
-    square = sc.build.contour([(-1.5, -1, 0), (1.5, -1, 0), (1.5, 1, 0), (-1.5, 1, 0)], closed=True)
-    box = sc.PatchSet.from_patches(sc.build.cap([sc.build.extrude(square, (0, 0, 1))], None).value)
-    with view.override():
-        empty_file()
-        data = part('bridge.shape').new_data("box", box, (4, 4))
-        bpy.context.scene.collection.objects.link(bpy.data.objects.new("box", data))
-        bpy.ops.view3d.view_all(center=False)
-        bpy.ops.ed.undo_push(message="box")
-    yield from redrawn()
 
 
 def rounded(view):
@@ -85,7 +73,7 @@ def moved_and_back(view):
 
 def steps():
     view = View()
-    yield from scene(view)
+    yield from box(view)
     yield from rounded(view)
     yield from numbered(view)
     yield from moved_and_back(view)

@@ -7,6 +7,7 @@ from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
 import splinecore as sc
+from given_otherwise import sections_otherwise
 from splinecore import build, fit
 
 
@@ -174,18 +175,9 @@ def test_sections_are_the_same_however_patches_are_given(inputs):
     rng = np.random.default_rng(7)
     for _ in range(inputs(400)):
         a, b = wild_patch(rng), wild_patch(rng)
-        motion = np.eye(4)
-        motion[:3, :3] = Rotation.from_quat(rng.normal(size=4)).as_matrix()
-        motion[:3, 3] = 5 * rng.normal(size=3)
-        scale = 10**rng.uniform(-9, 9)
-        scaling = np.diag([scale, scale, scale, 1])
         found = a.sections(b, 1e-6)
-        others = [(b.sections(a, 1e-6), 1), (a.transformed(motion).sections(b.transformed(motion), 1e-6), 1),
-                  (a.transformed(scaling).sections(b.transformed(scaling), 1e-6 * scale), scale),
-                  (a.reversed("u").sections(b.swapped(), 1e-6), 1),
-                  (a.refine("u", sorted(rng.uniform(0.1, 0.9, 3))).sections(b.elevate("v"), 1e-6), 1)]
         length = total_length(found)
-        for other, unit in others:
+        for other, unit in sections_otherwise(rng, a, b, 1e-6, far=5, magnitudes=9, cuts=3):
             assert len(other.curves) == len(found.curves) and len(other.points) == len(found.points)
             lengths = sum(curve.length(tolerance=1e-7 * unit) for curve in other.curves) / unit
             assert lengths == pytest.approx(length, abs=1e-4 * max(1, length))

@@ -6,6 +6,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import splinecore as sc
+from given_otherwise import sections_otherwise
 from splinecore import build
 
 SIDES = ("u_start", "u_end", "v_start", "v_end")
@@ -160,16 +161,7 @@ def test_patches_that_cross_where_they_touch(inputs):
     rng = np.random.default_rng(4)
     for _ in range(inputs(100)):
         a, b = touching(rng)
-        motion = np.eye(4)
-        motion[:3, :3] = Rotation.from_quat(rng.normal(size=4)).as_matrix()
-        motion[:3, 3] = rng.normal(size=3)
-        scale = 10**rng.uniform(-6, 6)
-        scaling = np.diag([scale, scale, scale, 1])
         found = a.sections(b, 1e-5)
-        others = [(b.sections(a, 1e-5), 1), (a.transformed(motion).sections(b.transformed(motion), 1e-5), 1),
-                  (a.transformed(scaling).sections(b.transformed(scaling), 1e-5 * scale), scale),
-                  (a.reversed("u").sections(b.swapped(), 1e-5), 1),
-                  (a.refine("u", sorted(rng.uniform(0.1, 0.9, 2))).sections(b.elevate("v"), 1e-5), 1)]
-        for other, unit in others:
+        for other, unit in sections_otherwise(rng, a, b, 1e-5, far=1, magnitudes=6, cuts=2):
             assert other.kinds == found.kinds and not other.are_one
             assert lengths(other.curves) / unit == pytest.approx(lengths(found.curves), abs=1e-3)

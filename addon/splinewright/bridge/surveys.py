@@ -65,9 +65,10 @@ def edges_of(data, sources, matrices):
     return state.surveys[key]
 
 
-def edge_lines_of(sources, matrices):
-    """[(n, 3)]: polylines of the edges of shapes under matrices, as Round Edge numbers them. Raises as edges_of() does."""
-    return rounding.lines_of(_shapes_of(sources, matrices))
+def edge_lines_of(sources, matrices, text=""):
+    """([(n, 3)]: polylines of the edges of shapes under matrices, as Round Edge numbers them; the numbers of those that it rounds by a
+    text). Raises as edges_of() does."""
+    return rounding.lines_of(_shapes_of(sources, matrices), text)
 
 
 def _shapes_of(sources, matrices):

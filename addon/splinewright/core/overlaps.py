@@ -1,7 +1,7 @@
-"""Where surfaces that were made cross themselves, in words: nothing is refused for that, but it is to be told."""
+"""Where surfaces that were made cross themselves, in words: nothing is refused for that, but it is to be told. Of rails and of thick
+surfaces places all over are looked at, so that what is much smaller than what lies between them is not seen."""
 
 import itertools
-from contextlib import suppress
 
 import numpy as np
 
@@ -22,20 +22,36 @@ def of_profile(curves, way, cancel=None):
     """Of what curves make that move along a way (3,): where they cross themselves or each other, seen along it."""
     flat = [_seen_along(curve, way) for curve in curves]
     for number, (curve, seen) in enumerate(zip(curves, flat), 1):
-        with suppress(sc.InvalidShape, sc.ToleranceNotReached):
-            found = seen.self_intersections(cancel=cancel)
-            at = _met(found, curve, curve, way)
-            whose = "the curve" if len(curves) == 1 else f"curve {number} of {len(curves)}"
-            if at is not None:
-                yield f"{whose} crosses itself at u = {_text(at[0])} and u = {_text(at[1])}: so does the surface"
+        at, problem = _told(lambda: _met(seen.self_intersections(cancel=cancel), curve, curve, way))
+        if at or problem:
+            yield _of_itself(_named(number, len(curves)), at, problem)
     for (i, a), (k, b) in itertools.combinations(enumerate(flat), 2):
         if _are_apart(a, b):
             continue
-        with suppress(sc.InvalidShape, sc.ToleranceNotReached):
-            at = _met(a.intersections(b, cancel=cancel), curves[i], curves[k], way)
-            if at is not None:
-                yield f"curves {i + 1} and {k + 1} of {len(curves)} cross at u = {_text(at[0])} and u = {_text(at[1])}: so do the surfaces"
-                return
+        at, problem = _told(lambda: _met(a.intersections(b, cancel=cancel), curves[i], curves[k], way))
+        if at or problem:
+            both = f"curves {i + 1} and {k + 1} of {len(curves)}"
+            yield (f"{both} cross at u = {_text(at[0])} and u = {_text(at[1])}: so do the surfaces" if at
+                   else f"whether {both} cross is not told: {problem}")
+            return
+
+
+def _told(find):
+    """(what is found, or None, why that is not told)."""
+    try:
+        return find(), ""
+    except (sc.InvalidShape, sc.ToleranceNotReached) as error:
+        return None, str(error)
+
+
+def _named(number, count):
+    return "the curve" if count == 1 else f"curve {number} of {count}"
+
+
+def _of_itself(whose, at, problem):
+    if problem:
+        return f"whether {whose} crosses itself is not told: {problem}"
+    return f"{whose} crosses itself at u = {_text(at[0])} and u = {_text(at[1])}: so does the surface"
 
 
 def _seen_along(curve, way):
@@ -64,16 +80,17 @@ def _are_apart(a, b):
 def of_turned(curves, through, direction, sweep, cancel=None):
     """Of what curves make that turn about an axis: where they cross it, or themselves."""
     for number, curve in enumerate(curves, 1):
-        whose = "the curve" if len(curves) == 1 else f"curve {number} of {len(curves)}"
+        whose = _named(number, len(curves))
         at = _crosses_axis(curve.to_nurbs(), through, direction) if abs(sweep) > np.pi else None
         if at is not None:
             yield f"{whose} crosses the axis at u = {_text(at)}: the surface goes through itself"
-        with suppress(sc.InvalidShape, sc.ToleranceNotReached):
-            found = curve.self_intersections(cancel=cancel)
-            for (a, b), is_touch in zip(found.parameters, found.touches):
-                if not is_touch:
-                    yield f"{whose} crosses itself at u = {_text(a)} and u = {_text(b)}: so does the surface"
-                    break
+        at, problem = _told(lambda: _first_crossing(curve.self_intersections(cancel=cancel)))
+        if at or problem:
+            yield _of_itself(whose, at, problem)
+
+
+def _first_crossing(found):
+    return next(((float(a), float(b)) for (a, b), is_touch in zip(found.parameters, found.touches) if not is_touch), None)
 
 
 def _crosses_axis(curve, through, direction):

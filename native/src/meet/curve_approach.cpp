@@ -170,10 +170,6 @@ double foot_between(const CurvePieces& curve, double low, double high, const glm
   return 0.5 * (low + high);
 }
 
-}  // namespace
-
-namespace {
-
 /// Places from one to another one at which a curve is looked at: evenly in each piece, and beyond the other places of it where it
 /// is the same curve, for along those it is beside itself.
 std::vector<double> places_between(const CurvePieces& curve, double from, double to, std::array<double, 2> others) {

@@ -76,7 +76,7 @@ std::optional<AxisMatches> match_in(const PatchPieces& part, const PatchPieces& 
   for (std::size_t i = 0; i < 4; ++i) {
     const std::array<double, 2> place{std::lerp(own[0].start, own[0].end, kLooks[i][0]),
                                       std::lerp(own[1].start, own[1].end, kLooks[i][1])};
-    const glm::dvec3 point = part.at(spot_at(part, place)).point;
+    const glm::dvec3 point = part.at(part.spot(place)).point;
     const PatchSpot foot = nearest_spot(whole, point);
     if (!(glm::length(whole.at(foot, point).offset) <= tolerance)) return {};
     at[i] = whole.parameters(foot);
@@ -116,30 +116,6 @@ AxisMatches inverse(const AxisMatches& matches) {
 }
 
 }  // namespace
-
-std::size_t span_at(const KnotVector& knots, double t) {
-  std::size_t first = 0;
-  std::size_t last = knots.spans().size() - 1;
-  while (first < last) {
-    const std::size_t middle = (first + last + 1) / 2;
-    if (knots.span_interval(static_cast<int>(middle)).start <= t) first = middle;
-    else last = middle - 1;
-  }
-  return first;
-}
-
-PatchSpot spot_at(const PatchPieces& patch, const std::array<double, 2>& parameters) {
-  PatchSpot spot{0, {}};
-  std::array<std::size_t, 2> spans{};
-  for (std::size_t k = 0; k < 2; ++k) {
-    const KnotVector& knots = patch.knots(k == 0 ? Axis::u : Axis::v);
-    spans[k] = span_at(knots, parameters[k]);
-    const Interval span = knots.span_interval(static_cast<int>(spans[k]));
-    spot.at[k] = std::clamp((parameters[k] - span.start) / span.length(), 0.0, 1.0);
-  }
-  spot.piece = spans[0] * patch.knots(Axis::v).spans().size() + spans[1];
-  return spot;
-}
 
 std::vector<AxisMatches> axis_matches(const TwoPatches& patches, double tolerance) {
   std::vector<AxisMatches> found;

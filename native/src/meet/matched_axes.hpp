@@ -5,9 +5,6 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-std::size_t span_at(const KnotVector& knots, double t);
-PatchSpot spot_at(const PatchPieces& patch, const std::array<double, 2>& parameters);
-
 /// How parameters of two patches may match: whole to whole, either way round, and where places of one are on the other.
 std::vector<std::array<AxisMatch, 2>> axis_matches(const TwoPatches& patches, double tolerance);
 

@@ -30,23 +30,13 @@ class MatchedSides {
   const MatchedSpan& outermost(std::size_t k, bool is_end) const { return is_end ? spans_[k].back() : spans_[k].front(); }
   std::size_t own_axis(std::size_t k) const { return axes_[k].axis == Axis::u ? 0 : 1; }
 
-  static std::size_t piece_of(const PatchPieces& patch, std::size_t u, std::size_t v) {
-    return u * patch.knots(Axis::v).spans().size() + v;
-  }
-
   /// A place of the side at an end of axis k, by a share of a stretch of the other axis.
   PatchSpots spots(std::size_t k, bool is_end, const MatchedSpan& along, double share) const {
     const MatchedSpan& across = outermost(k, is_end);
-    PatchSpots at{};
-    at.a.at[k] = is_end ? across.a.end : across.a.start;
-    at.a.at[1 - k] = std::lerp(along.a.start, along.a.end, share);
-    at.a.piece = k == 0 ? piece_of(patches_.a, across.span_a, along.span_a) : piece_of(patches_.a, along.span_a, across.span_a);
-    const std::size_t own = own_axis(k);
-    at.b.at[own] = across.b_at(is_end ? 1.0 : 0.0);
-    at.b.at[1 - own] = along.b_at(share);
-    at.b.piece = own == 0 ? piece_of(patches_.b, across.span_b, along.span_b)
-                          : piece_of(patches_.b, along.span_b, across.span_b);
-    return at;
+    const double end = is_end ? 1.0 : 0.0;
+    const bool is_exchanged = axes_[0].axis == Axis::v;
+    return k == 0 ? matched_spots(patches_, is_exchanged, {across, along}, {end, share})
+                  : matched_spots(patches_, is_exchanged, {along, across}, {share, end});
   }
 
   static bool ends_at(const PatchPieces& patch, const PatchSpot& spot, std::size_t axis) {

@@ -116,7 +116,7 @@ bool is_one_sheet(const PatchPieces& patch, const std::array<Interval, 2>& range
   std::vector<PatchPart> parts;
   for (const SpanPart& u : along_u) {
     for (const SpanPart& v : along_v) {
-      const std::size_t piece = u.span * patch.knots(Axis::v).spans().size() + v.span;
+      const std::size_t piece = patch.piece_in(u.span, v.span);
       breathe(64 * patch.piece(piece).values.size());
       parts.push_back(part_of(piece, patch.piece(piece), {u.range, v.range}));
       if (!parts.back().is_boxed) return false;

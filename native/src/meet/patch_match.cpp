@@ -27,6 +27,14 @@ bool is_inside(const Interval& range, const Interval& whole, double share = 0x1p
 
 Interval hull(const Interval& a, const Interval& b) { return {std::min(a.start, b.start), std::max(a.end, b.end)}; }
 
+std::array<Interval, 2> parameters_of(const PatchPieces& patch, const PatchPart& part) {
+  const auto start = patch.parameters({part.piece, {part.range[0].start, part.range[1].start}});
+  const auto end = patch.parameters({part.piece, {part.range[0].end, part.range[1].end}});
+  return {Interval{start[0], end[0]}, Interval{start[1], end[1]}};
+}
+
+}  // namespace
+
 PatchSpots matched_spots(const TwoPatches& patches, bool is_exchanged, const std::array<MatchedSpan, 2>& spans,
                          const std::array<double, 2>& shares) {
   PatchSpots at{};
@@ -37,18 +45,10 @@ PatchSpots matched_spots(const TwoPatches& patches, bool is_exchanged, const std
     at.b.at[own[k]] = spans[k].b_at(shares[k]);
     in_b[own[k]] = spans[k].span_b;
   }
-  at.a.piece = spans[0].span_a * patches.a.knots(Axis::v).spans().size() + spans[1].span_a;
-  at.b.piece = in_b[0] * patches.b.knots(Axis::v).spans().size() + in_b[1];
+  at.a.piece = patches.a.piece_in(spans[0].span_a, spans[1].span_a);
+  at.b.piece = patches.b.piece_in(in_b[0], in_b[1]);
   return at;
 }
-
-std::array<Interval, 2> parameters_of(const PatchPieces& patch, const PatchPart& part) {
-  const auto start = patch.parameters({part.piece, {part.range[0].start, part.range[1].start}});
-  const auto end = patch.parameters({part.piece, {part.range[0].end, part.range[1].end}});
-  return {Interval{start[0], end[0]}, Interval{start[1], end[1]}};
-}
-
-}  // namespace
 
 std::optional<PatchMatch> PatchMatch::of(const TwoPatches& patches, double tolerance) {
   constexpr std::size_t kMostPoints = 100;  // products of nets grow with the square
@@ -68,8 +68,8 @@ bool PatchMatch::is_near_at_places() const {
                                        std::lerp(axes_[1].from.start, axes_[1].from.end, y)};
       std::array<double, 2> of_b{axes_[0].to(of_a[0]), axes_[1].to(of_a[1])};
       if (is_exchanged()) std::swap(of_b[0], of_b[1]);
-      const glm::dvec3 point = patches_.a.at(spot_at(patches_.a, of_a)).point;
-      if (!(glm::length(patches_.b.at(spot_at(patches_.b, of_b), point).offset) <= tolerance_)) return false;
+      const glm::dvec3 point = patches_.a.at(patches_.a.spot(of_a)).point;
+      if (!(glm::length(patches_.b.at(patches_.b.spot(of_b), point).offset) <= tolerance_)) return false;
     }
   }
   return true;
@@ -78,14 +78,12 @@ bool PatchMatch::is_near_at_places() const {
 bool PatchMatch::is_near_all_over() const {
   const std::vector<MatchedSpan> u = spans_along(0);
   const std::vector<MatchedSpan> v = spans_along(1);
-  const std::size_t columns_a = patches_.a.knots(Axis::v).spans().size();
-  const std::size_t columns_b = patches_.b.knots(Axis::v).spans().size();
   for (const MatchedSpan& of_u : u) {
     for (const MatchedSpan& of_v : v) {
-      const std::size_t in_a = of_u.span_a * columns_a + of_v.span_a;
+      const std::size_t in_a = patches_.a.piece_in(of_u.span_a, of_v.span_a);
       const MatchedSpan& b_u = is_exchanged() ? of_v : of_u;
       const MatchedSpan& b_v = is_exchanged() ? of_u : of_v;
-      const std::size_t in_b = b_u.span_b * columns_b + b_v.span_b;
+      const std::size_t in_b = patches_.b.piece_in(b_u.span_b, b_v.span_b);
       const PatchPart a = part_of(in_a, patches_.a.piece(in_a), {of_u.a, of_v.a});
       const PatchPart b = part_of(in_b, patches_.b.piece(in_b), {b_u.b, b_v.b});
       if (!are_within(a.net, turned(b.net, is_exchanged(), of_u.is_reversed, of_v.is_reversed), tolerance_)) return false;
@@ -133,11 +131,11 @@ std::vector<MatchedSpan> PatchMatch::spans_along(std::size_t k) const {
     const double middle = 0.5 * (start + marks[i]);
     const double one = match.to(start);
     const double other = match.to(marks[i]);
-    const std::size_t in_a = span_at(of_a, middle);
-    const std::size_t in_b = span_at(of_b, match.to(middle));
-    found.push_back({in_a, local({start, marks[i]}, of_a.span_interval(static_cast<int>(in_a))), in_b,
-                     local({std::min(one, other), std::max(one, other)}, of_b.span_interval(static_cast<int>(in_b))),
-                     other < one});
+    const int in_a = of_a.span_of(middle, Side::right);
+    const int in_b = of_b.span_of(match.to(middle), Side::right);
+    found.push_back({static_cast<std::size_t>(in_a), local({start, marks[i]}, of_a.span_interval(in_a)),
+                     static_cast<std::size_t>(in_b),
+                     local({std::min(one, other), std::max(one, other)}, of_b.span_interval(in_b)), other < one});
     start = marks[i];
   }
   return found;

@@ -40,6 +40,10 @@ struct MatchedSpan {
   }
 };
 
+/// A place of both patches, by shares of a stretch of each parameter of the first one.
+PatchSpots matched_spots(const TwoPatches& patches, bool is_exchanged, const std::array<MatchedSpan, 2>& spans,
+                         const std::array<double, 2>& shares);
+
 /// What of two patches is one surface by parameters that match: copies, however refined, reversed or written, and parts of
 /// them. It is proved over all of a rectangle by control points.
 class PatchMatch {

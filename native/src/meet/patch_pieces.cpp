@@ -81,6 +81,22 @@ std::array<double, 2> PatchPieces::parameters(const PatchSpot& spot) const {
   return {along(Axis::u, spot.at[0]), along(Axis::v, spot.at[1])};
 }
 
+PatchSpot PatchPieces::spot(const std::array<double, 2>& parameters) const {
+  PatchSpot found{0, {}};
+  std::array<std::size_t, 2> spans{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const KnotVector& own = knots(k == 0 ? Axis::u : Axis::v);
+    const Interval domain = own.domain();
+    const double t = std::clamp(parameters[k], domain.start, domain.end);
+    const int span = own.span_of(t, Side::right);
+    const Interval range = own.span_interval(span);
+    spans[k] = static_cast<std::size_t>(span);
+    found.at[k] = std::clamp((t - range.start) / range.length(), 0.0, 1.0);
+  }
+  found.piece = piece_in(spans[0], spans[1]);
+  return found;
+}
+
 double PatchPieces::span_length(std::size_t piece, Axis axis) const {
   return knots(axis).span_interval(static_cast<int>(span(piece, axis))).length();
 }

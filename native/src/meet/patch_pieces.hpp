@@ -49,6 +49,9 @@ class PatchPieces {
 
   const KnotVector& knots(Axis axis) const noexcept { return axis == Axis::u ? u_ : v_; }
   std::array<double, 2> parameters(const PatchSpot& spot) const;
+  /// The place of parameters, of those beyond the domain by rounding at its side.
+  PatchSpot spot(const std::array<double, 2>& parameters) const;
+  std::size_t piece_in(std::size_t span_u, std::size_t span_v) const noexcept { return span_u * spans(Axis::v) + span_v; }
 
   /// How long the span of a piece is along an axis, in the patch's parameter.
   double span_length(std::size_t piece, Axis axis) const;

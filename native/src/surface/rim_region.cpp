@@ -62,6 +62,7 @@ struct RimPlane {
   glm::dvec3 x;
   glm::dvec3 y;
   glm::dvec3 normal;
+  double area;  ///< twice of what the rim encloses
 
   glm::dvec3 seen(const glm::dvec4& p) const {
     const glm::dvec3 from = glm::dvec3(p) - p.w * origin;
@@ -88,10 +89,10 @@ std::vector<glm::dvec3> places_along(const std::vector<RimPieces>& sides) {
   return places;
 }
 
-RimPlane plane_of(const std::vector<RimPieces>& sides, double& area) {
+RimPlane plane_of(const std::vector<RimPieces>& sides) {
   constexpr double kNothing = 1e-12;
   const std::vector<glm::dvec3> places = places_along(sides);
-  RimPlane plane{glm::dvec3(0.0), {}, {}, glm::dvec3(0.0)};
+  RimPlane plane{glm::dvec3(0.0), {}, {}, glm::dvec3(0.0), 0.0};
   for (const glm::dvec3& p : places) plane.origin += p / static_cast<double>(places.size());
   double size = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -99,9 +100,9 @@ RimPlane plane_of(const std::vector<RimPieces>& sides, double& area) {
     plane.normal += glm::cross(from, places[(i + 1) % places.size()] - plane.origin);
     size = std::max(size, length_of(from));
   }
-  area = length_of(plane.normal);
-  if (!(area > kNothing * size * size)) throw InvalidShape("the rim encloses next to nothing");
-  plane.normal /= area;
+  plane.area = length_of(plane.normal);
+  if (!(plane.area > kNothing * size * size)) throw InvalidShape("the rim encloses next to nothing");
+  plane.normal /= plane.area;
   int least = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (std::abs(plane.normal[axis]) < std::abs(plane.normal[least])) least = axis;
@@ -138,17 +139,9 @@ NurbsCurve segment(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 RimPlane widest_plane(const std::vector<std::vector<RimPieces>>& loops) {
-  RimPlane widest{};
-  double most = -1.0;
-  for (const auto& sides : loops) {
-    double area = 0.0;
-    const RimPlane plane = plane_of(sides, area);
-    if (area > most) {
-      most = area;
-      widest = plane;
-    }
-  }
-  return widest;
+  std::vector<RimPlane> planes;
+  for (const auto& sides : loops) planes.push_back(plane_of(sides));
+  return *std::ranges::max_element(planes, {}, &RimPlane::area);
 }
 
 /// A loop as it is seen against a plane: its sides in homogeneous Bezier pieces, and places along it.

@@ -26,9 +26,7 @@ def rounded(shapes, text, radius, tolerance, cancel=None):
     body = body_between(shapes)
     if not body.edges:
         raise Refusal("there is no edge: no two sides lie on each other with an angle between their surfaces")
-    numbers = numbers_of(text, len(body.edges))
-    if not numbers:
-        numbers = [edge.number for edge in body.edges if len(shapes) != 2 or is_between(body, edge)]
+    numbers = _chosen(body, len(shapes), text)
     if not numbers:
         raise Refusal("no side of one surface lies on a side of the other one with an angle between them")
     chosen = [body.edges[number - 1] for number in numbers]
@@ -46,6 +44,11 @@ def rounded(shapes, text, radius, tolerance, cancel=None):
         now = [_found(body, edge.number) for edge in flat]
         return Rounded(planes.rounded(body, now, radius), error, len(chosen))
     return Rounded(body.cells, error, len(chosen))
+
+
+def _chosen(body, count, text):
+    """The numbers of a text; without any those of edges in which two shapes meet, or if there are not two of them, of all."""
+    return numbers_of(text, len(body.edges)) or [edge.number for edge in body.edges if count != 2 or is_between(body, edge)]
 
 
 def body_between(shapes):
@@ -85,9 +88,12 @@ def middles_of(shapes):
     return np.array([_place_of(edge) for edge in body_between(shapes).edges]).reshape(-1, 3)
 
 
-def lines_of(shapes):
-    """[(n, 3)]: points along each edge of lists of patches, in the order of their numbers; an odd number of them."""
-    return [np.concatenate([_points_of(first.curve) for first, _ in edge.pairs]) for edge in body_between(shapes).edges]
+def lines_of(shapes, text):
+    """([(n, 3)]: points along each edge of lists of patches, in the order of their numbers; the numbers that are rounded by a text).
+    Raises Refusal."""
+    body = body_between(shapes)
+    lines = [np.concatenate([_points_of(first.curve) for first, _ in edge.pairs]) for edge in body.edges]
+    return lines, _chosen(body, len(shapes), text)
 
 
 def _points_of(curve):

@@ -7,7 +7,6 @@ from ...bridge import derived, keyed, placing, recipes, shape, surveys
 from ...bridge.file_state import state
 from ...core.failures import FAILURES, Refusal, blenders_refusals, sentence
 from ...core.recipes.table import RECIPES
-from ...core.rounding import edges as rounding
 from .. import edges_overlay, picking
 from . import from_objects, polls, reports
 from .pointing import Pointing, redraw
@@ -111,14 +110,14 @@ def _edges(context):
     if not _is_rounded(ob):
         sources = from_objects.sources_of(context, _RECIPE)
         matrices = [derived.matrix_in(source, None, depsgraph) for source in sources]
-        return surveys.edge_lines_of(sources, matrices), ()
+        return surveys.edge_lines_of(sources, matrices)[0], ()
     sources = recipes.read(ob.data).sources
     if not all(source is not None and shape.has_shape(source) for source in sources):
         raise Refusal("a surface that it rounds is missing")
     space = placing.now(ob.data, ob, sources, depsgraph)
-    matrix = np.array(ob.matrix_world, dtype=np.float64)
-    lines = [line @ matrix[:3, :3].T + matrix[:3, 3] for line in surveys.edge_lines_of(sources, list(map(space.of, sources)))]
-    return lines, rounding.numbers_of(recipes.parameters(ob.data)['edges'], len(lines))
+    matrix = np.array(ob.matrix_world, dtype=np.float64) @ space.applied
+    lines, numbers = surveys.edge_lines_of(sources, list(map(space.of, sources)), recipes.parameters(ob.data)['edges'])
+    return [line @ matrix[:3, :3].T + matrix[:3, 3] for line in lines], numbers
 
 
 def edge_at(context, x, y, lines):

@@ -54,8 +54,8 @@ struct Sections {
 /// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
 /// come to others; such that go on in each other within the tolerance are one. Patches that match by parameters, copies
 /// however refined, elevated, reversed or weighted and parts of them, are one where control points prove that they are within
-/// the tolerance; copies that part by up to 128 times as much are looked at by a smaller one. Which patch is given first
-/// changes nothing but images. Where patches are within the tolerance of each other about a point at which they touch, the
+/// the tolerance, or, where those prove but 128 times as much, they are across at 7 x 7 places of each span; copies that part
+/// farther there are looked at by a smaller tolerance. Which patch is given first changes nothing but images. Where patches are within the tolerance of each other about a point at which they touch, the
 /// point says so. S18.
 /// @param tolerance  none: 2^-20 of the size of both
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 3 * 2^17 pairs, as where patches are nearly one,
