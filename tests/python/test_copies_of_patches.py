@@ -83,6 +83,19 @@ def test_a_part_of_a_patch_is_one_with_it_up_to_its_borders(inputs):
         assert lengths(found.curves) == pytest.approx(lengths(part.boundary(side) for side in SIDES), rel=1e-4)
 
 
+@pytest.mark.parametrize("scale", [1e-150, 1, 1e150])
+@pytest.mark.parametrize("degree", [9, 15, 25])
+def test_copies_of_high_degrees_and_of_any_size_are_one(degree, scale):
+    knots = np.r_[np.zeros(degree + 1), 0.3, 0.6, np.ones(degree + 1)]
+    x, y = np.meshgrid(*[np.linspace(-1, 1, degree + 3)] * 2, indexing="ij")
+    z = 0.3 * np.random.default_rng(degree).normal(size=x.shape)
+    patch = sc.NurbsPatch((degree, degree), (knots, knots), scale * np.stack([x, y, z], -1))
+    found = patch.sections(patch.reversed("u").swapped())
+    assert found.are_one and set(found.kinds) == {"border"} and not len(found.points)
+    wanted = sum(patch.boundary(side).length(tolerance=1e-6 * scale) for side in SIDES)
+    assert sum(curve.length(tolerance=1e-6 * scale) for curve in found.curves) == pytest.approx(wanted, rel=1e-4)
+
+
 @pytest.mark.parametrize("patch, wanted", [(build.sphere((0, 0, 0), 1), 0),
                                            (build.cylinder((0, 0, 0), (0, 0, 1), 1, 3), 4 * np.pi),
                                            (build.torus((0, 0, 0), (0, 0, 1), 3, 1), 0)])

@@ -51,8 +51,9 @@ PatchSpots matched_spots(const TwoPatches& patches, bool is_exchanged, const std
 }
 
 std::optional<PatchMatch> PatchMatch::of(const TwoPatches& patches, double tolerance) {
-  constexpr std::size_t kMostPoints = 100;  // products of nets grow with the square
-  if (std::max(patches.a.piece(0).values.size(), patches.b.piece(0).values.size()) > kMostPoints) return {};
+  constexpr std::size_t kMostProducts = std::size_t{1} << 29;  // of control points, in all pieces together
+  const std::size_t in_pieces = patches.a.piece(0).values.size() * patches.b.piece(0).values.size();
+  if (in_pieces * std::max(patches.a.size(), patches.b.size()) > kMostProducts) return {};
   for (const std::array<AxisMatch, 2>& axes : axis_matches(patches, tolerance)) {
     PatchMatch match(patches, axes, tolerance);
     if (match.is_near_at_places() && match.is_near_all_over()) return match;
