@@ -35,7 +35,7 @@ class _FromObjects(LongWork, Repeatable):
             return False
         if cls.has_made(context):
             return True
-        reason = cls._lacking(_sources(context, cls.recipe))
+        reason = cls._lacking(sources_of(context, cls.recipe))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -51,11 +51,11 @@ class _FromObjects(LongWork, Repeatable):
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
-            hand.begin(self, _sources(context, self.recipe))
+            hand.begin(self, sources_of(context, self.recipe))
         return self.called(context) if self.recipe.takes_cancel else self.execute(context)
 
     def tasks(self, context):
-        sources = _sources(context, self.recipe)
+        sources = sources_of(context, self.recipe)
         if self._lacking(sources):
             raise Refusal(self._lacking(sources))
         self._settle(context, sources)
@@ -76,7 +76,7 @@ class _FromObjects(LongWork, Repeatable):
         return derived.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
 
     def execute(self, context):
-        sources, recipe = _sources(context, self.recipe), self.recipe
+        sources, recipe = sources_of(context, self.recipe), self.recipe
         if self._lacking(sources):
             return reports.cancelled(self, self._lacking(sources))
         hand.forget_asked()
@@ -100,7 +100,8 @@ class _FromObjects(LongWork, Repeatable):
             for source in sources:
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
-        return self.finished(context, reports.Said("; ".join(filter(None, (said, result.said))), warnings=tuple(filter(None, (result.warning,)))))
+        words = "; ".join(filter(None, (said, result.said)))
+        return self.finished(context, reports.Said(words, warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
         """Find out what is not given."""
@@ -150,7 +151,7 @@ class _FromObjects(LongWork, Repeatable):
         new_shapes.draw(self, layout)
 
 
-def _sources(context, recipe):
+def sources_of(context, recipe):
     """The selected objects that a shape can be made from: what the recipe wants first, and the active one, come first."""
     chosen = [ob for ob in context.selected_objects if derived.can_make(recipe, ob)]
     return sorted(chosen, key=lambda ob: (not is_wanted(ob, recipe.inputs[0]), ob != context.object))
@@ -162,15 +163,10 @@ def is_wanted(ob, what):
     return kind in what or not any(word in what for word in ("curve", "surface", "point"))
 
 
-def sources_of(context, recipe):
-    """The selected objects from which a recipe would make a shape, in their order at first."""
-    return _sources(context, recipe)
-
-
 def lacking(context, recipe):
     """What is to be selected for a recipe that makes shapes from objects, or ""."""
     operator = next(cls for cls in CLASSES if cls.recipe is recipe)
-    return operator._lacking(_sources(context, recipe))
+    return operator._lacking(sources_of(context, recipe))
 
 
 def _has_no_edge(ob):
