@@ -5,7 +5,7 @@ bl_info = {
     "author": "The Splinewright developers",
     "version": (0, 0, 0),
     "blender": (3, 4, 0),
-    "location": "View3D > Add > Curve, Surface; Sidebar > Splinewright",
+    "location": "View3D > Add > Curve, Surface; Sidebar > NURBS",
     "description": "Exact NURBS, Bezier and Hermite curves and patches",
     "category": "Add Curve",
 }

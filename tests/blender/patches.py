@@ -79,9 +79,9 @@ def is_periodic(patch, axis):
 def breaks_of(patch, axis, name, settings):
     """The parameters between which the parts lie that come out, on the patch that went in."""
     start, end = patch.domain[axis]
-    if name == 'patch_to_bezier':
+    if name == 'to_bezier':
         return distinct_knots(patch, axis)
-    if name == 'patch_split' and LETTERS[axis] in DIRECTIONS[settings.get('direction', 'U')]:
+    if name == 'split' and LETTERS[axis] in DIRECTIONS[settings.get('direction', 'U')]:
         if settings.get('where') == 'KNOTS':
             return distinct_knots(patch, axis)
         at = settings[f'parameter_{LETTERS[axis]}']
@@ -93,7 +93,7 @@ def fractions_before(fractions, axis, name, settings):
     """Where, as parts of the domain along an axis, points lay that now lie at these parts."""
     if LETTERS[axis] not in DIRECTIONS[settings.get('direction', 'U')]:
         return fractions
-    if name == 'patch_reverse':
+    if name == 'reverse':
         return 1 - fractions
     if settings.get('how') == 'MOEBIUS':
         rho = settings['rho']
@@ -120,7 +120,7 @@ def farthest(before, after, name, settings):
         was = [begin + fractions_before(fractions, axis, name, settings) * (end - begin)
                for axis, (begin, end) in enumerate(span)]
         points = patch.evaluate_grid(*own)
-        if name == 'patch_swap':
+        if name == 'swap_uv':
             points = points.swapaxes(0, 1)
         worst = np.maximum(worst, np.abs(points - on_grid(before, was)).max())
     return worst

@@ -5,12 +5,23 @@ import numpy as np
 
 from support import curve_points, part, splinecore as sc, vertices
 
-live, selection, recipes, shape, starters = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'core.starters'))
+live, selection, recipes, shape, starters, form_verbs, knot_verbs, on_shapes = (part(name) for name in (
+    'bridge.net.live', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'core.starters', 'ui.operators.form_verbs',
+    'ui.operators.knot_verbs', 'ui.operators.on_shapes'))
 
 RANDOM = np.random.default_rng(12)
 
 
+def verbs_of(base):
+    """Classes of the verbs that take curves (OnCurves), or patches (OnPatches)."""
+    return [cls for cls in (*knot_verbs.CLASSES, *form_verbs.CLASSES) if issubclass(cls, (on_shapes.OnShapes, base))]
+
+
+def names_of(classes):
+    return [cls.bl_idname.split('.')[1] for cls in classes]
+
+
+OF_CURVES, OF_PATCHES = verbs_of(on_shapes.OnCurves), verbs_of(on_shapes.OnPatches)
 KINDS = ('nurbs patch', 'teapot', 'mixed set', 'nurbs', 'hermite', 'many curves')
 
 

@@ -161,10 +161,10 @@ def test_values_stay_while_a_net_is_dragged():
 # Verbs ----------------------------------------------------------------------------------------------------------------
 
 
-VERBS = (('insert_knot', {'where': 'SPANS', 'times': 2}), ('raise_degree', {}), ('split_curve', {'parameter': 0.3}),
-         ('split_curve', {'where': 'KNOTS'}), ('split_curve', {'where': 'FLAT', 'tolerance': 0.05}), ('reverse', {}),
-         ('to_bezier_chain', {}), ('to_nurbs', {}), ('clamp', {}), ('unclamp', {}),
-         ('reparametrise', {'how': 'MOEBIUS', 'rho': 3.0}), ('reparametrise', {'how': 'AFFINE', 'start': 2.0, 'end': 5.0}),
+VERBS = (('insert_knot', {'where': 'SPANS', 'times': 2}), ('raise_degree', {}), ('split', {'parameter_u': 0.3}),
+         ('split', {'where': 'KNOTS'}), ('split', {'where': 'FLAT', 'tolerance': 0.05}), ('reverse', {}),
+         ('to_bezier', {}), ('to_nurbs', {}), ('clamp', {}), ('unclamp', {}),
+         ('reparameterize', {'how': 'MOEBIUS', 'rho': 3.0}), ('reparameterize', {'how': 'AFFINE', 'start': 2.0, 'end': 5.0}),
          ('standard_form', {}), ('project_curve', {'eye': (0, 0, 1e4)}), ('to_hermite', {'tolerance': 1e-3}))
 
 
@@ -212,7 +212,7 @@ def test_joined_ends_and_pieces_keep_what_lay_on_both():
     run('reverse', piece=2)
     run('join_ends')
     assert len(ob.data.splines) == 1 and farthest_from_said(ob) < 0.02
-    run('to_bezier_chain')
+    run('to_bezier')
     run('join_pieces', tolerance=1e-5)
     assert len(ob.data.splines) == 1 and farthest_from_said(ob) < 0.02
 

@@ -1,5 +1,6 @@
 """Which curves the verbs change, how these look afterwards, and what the redo panel shows."""
 
+from itertools import product
 from types import SimpleNamespace
 
 import bpy
@@ -8,10 +9,8 @@ import pytest
 
 import shapes
 from curves import curves_of, run, value_of, value_of_patch
-from shapes import activate, add, op, require_exact, shown
+from shapes import OF_CURVES, OF_PATCHES, activate, add, op, require_exact, shown
 from support import part, splinecore as sc
-
-curve_verbs = part('ui.operators.curve_verbs')
 
 
 # Which curves -----------------------------------------------------------------------------------------------------
@@ -33,7 +32,7 @@ def test_a_list_of_one_stays_a_list_and_a_curve_becomes_one_where_it_must():
     ob = add(value_of('nurbs'), "single")
     run('reverse')
     assert isinstance(ob.data.splinewright.value, sc.NurbsCurve)
-    run('split_curve', parameter=0.5)
+    run('split', parameter_u=0.5)
     assert isinstance(ob.data.splinewright.value, list)
 
 
@@ -78,8 +77,8 @@ def look(i):
 
 
 @pytest.mark.parametrize('name, settings, expected', (
-    ('reverse', {}, [0, 1, 2]), ('raise_degree', {}, [0, 1, 2]), ('to_bezier_chain', {}, [0, 0, 0, 1, 2, 2]),
-    ('split_curve', {'piece': 2, 'parameter': 0.5}, [0, 1, 1, 2]),
+    ('reverse', {}, [0, 1, 2]), ('raise_degree', {}, [0, 1, 2]), ('to_bezier', {}, [0, 0, 0, 1, 2, 2]),
+    ('split', {'piece': 2, 'parameter_u': 0.5}, [0, 1, 1, 2]),
     ('insert_knot', {'where': 'SPANS'}, [0, 1, 2])))
 def test_material_radius_tilt_and_shading_stay_with_each_piece(name, settings, expected):
     ob = dressed([value_of('nurbs'), value_of('cubic'), sc.HermiteCurve(shapes.points(3), shapes.points(3))])
@@ -102,7 +101,7 @@ def test_the_arms_of_a_hyperbola_that_are_within_reach_keep_their_looks(reach, a
     at = np.linspace(0, 1, 41)
     points, was = (curve.evaluate(at, at_infinity='nan') for curve in (curves_of(ob)[0], before))
     assert np.allclose(points, was, rtol=1e-12, atol=1e-12, equal_nan=True)
-    run('split_curve', piece=1, parameter=0.5)
+    run('split', piece=1, parameter_u=0.5)
     require_exact(ob)
     assert looks(ob)[-1] == look(arms) and all(worn in [look(i) for i in range(arms)] for worn in looks(ob)[:-1])
 
@@ -110,31 +109,40 @@ def test_the_arms_of_a_hyperbola_that_are_within_reach_keep_their_looks(reach, a
 # The redo panel ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize('cls', curve_verbs.CLASSES, ids=lambda cls: cls.bl_idname)
+CHOICES = {'direction': ('U', 'V', 'BOTH'), 'where': ('PARAMETER', 'KNOTS', 'SPANS', 'FLAT'), 'how': ('AFFINE', 'MOEBIUS'),
+           'limited': (False, True), 'by': ('COUNT', 'TOLERANCE')}
+#: What a class says about how its settings are shown.
+SHOWING = ('settings', 'all_settings', 'draw', 'allowed', 'limits', 'of_curves', 'of_patches', 'expanded')
+
+
+@pytest.mark.parametrize('cls', sorted({*OF_CURVES, *OF_PATCHES}, key=lambda cls: cls.bl_idname), ids=lambda cls: cls.bl_idname)
 def test_every_setting_is_described_and_shown(cls):
     rna = getattr(bpy.ops.splinewright, cls.bl_idname.split('.')[1]).get_rna_type()
     properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type' and not p.is_hidden}
     assert all(p.name and (p.description or p.type == 'ENUM') for p in properties.values())
     assert {'REGISTER', 'UNDO'} <= cls.bl_options and cls.bl_description and not cls.bl_description.endswith('.')
     shown_names = set()
-    for choice in {'where': ('PARAMETER', 'KNOTS', 'FLAT'), 'how': ('AFFINE', 'MOEBIUS'), 'limited': (False, True),
-                   'by': ('COUNT', 'TOLERANCE')}.items():
-        for value in choice[1]:
-            drawn = drawn_by(cls, {**{name: p.default for name, p in properties.items()}, choice[0]: value})
-            assert set(drawn) <= set(properties) and drawn[-1] == 'piece'
+    for name, values in CHOICES.items():
+        allowed = [value for value in values if name not in properties or properties[name].type != 'ENUM'
+                   or value in properties[name].enum_items]
+        for value, kinds in product(allowed, ({True}, {False}, {True, False})):
+            drawn = drawn_by(cls, {**{key: p.default for key, p in properties.items()}, name: value}, kinds)
+            assert set(drawn) <= set(properties) and drawn[-1] == 'piece' and len(set(drawn)) == len(drawn)
+            assert False in kinds or not {'direction', 'neighbors', 'parameter_v', 'count_v', 'degree_v'} & set(drawn)
             shown_names |= set(drawn)
     assert shown_names == set(properties)
 
 
-def drawn_by(cls, values):
-    """Names of the properties in the redo panel. Operators cannot be made by hand, what they inherit can."""
+def drawn_by(cls, values, kinds):
+    """Names of the properties in the redo panel, with curves selected (True), with patches. Operators cannot be made by hand, what
+    they inherit can."""
     names = []
 
     class Layout:
-        def prop(self, _, name):
+        def prop(self, _, name, text="", expand=False):
             names.append(name)
 
-        def row(self, align):
+        def row(self, align=False):
             return self
 
         def column(self, align):
@@ -142,9 +150,10 @@ def drawn_by(cls, values):
 
         def operator(self, name, **_):
             return SimpleNamespace()
-    own = {key: value for key, value in vars(cls).items() if key in ('settings', 'draw', 'allowed', 'limits')}
+    own = {key: value for key, value in vars(cls).items() if key in SHOWING}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
-    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout()}
+    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout(),
+            'kinds': lambda self: kinds}
     panel = type("Panel", bases, own)()
     panel.draw(None)
     return names

@@ -15,7 +15,7 @@ KINDS = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'nurbs',
 @pytest.mark.parametrize('kind', KINDS)
 def test_parts_are_flat_and_are_the_curve(kind, tolerance):
     ob = add(value_of(kind))
-    run('split_curve', where='FLAT', tolerance=tolerance)
+    run('split', where='FLAT', tolerance=tolerance)
     parts = curves_of(ob)
     for part in parts:
         points = part.evaluate(np.linspace(0, 1, 33))
@@ -39,7 +39,7 @@ def test_a_chain_of_arcs_is_the_b_spline_again_that_it_came_from(seed):
     knots = np.concatenate([np.zeros(4), inner[:-1], np.full(4, inner[-1])])
     curve = sc.NurbsCurve(3, knots, random.uniform(-5, 5, (count, 3)))
     ob = add(curve)
-    run('to_bezier_chain')
+    run('to_bezier')
     assert len(curves_of(ob)) == count - 3
     run('join_pieces')
     again = ob.data.splinewright.value
@@ -72,7 +72,7 @@ def test_a_corner_stays_a_corner():
 
 def test_a_closed_chain_is_one_curve_that_make_periodic_takes():
     ob = add(sc.NurbsCurve(3, np.arange(8.0), np.random.default_rng(5).uniform(-5, 5, (7, 3)), periodic=True))
-    run('to_bezier_chain')
+    run('to_bezier')
     run('join_pieces')
     run('make_periodic')
     assert ob.data.splinewright.value.periodic and len(ob.data.splinewright.value.points) == 7
@@ -122,27 +122,3 @@ def test_several_shapes_are_seen_from_one_eye():
         points = curve.evaluate(u) + (shift, 0, 0)
         expected = eye + (points - eye) * (eye[2] / (eye[2] - points[:, 2:])) - (shift, 0, 0)
         assert np.allclose(ob.data.splinewright.value.evaluate(u), expected, rtol=0, atol=1e-5)
-
-
-def test_every_verb_is_in_the_menu_and_in_the_sidebar():
-    tools, *rooms = (part(name) for name in ('ui.curve_tools', *(f'ui.operators.curve_{room}' for room in (
-        'verbs', 'join', 'corners', 'meeting'))))
-    listed = [name for _, names in tools._GROUPS for name in names]
-    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for room in rooms for cls in room.CLASSES)
-    drawn = []
-    add(value_of('nurbs'))
-
-    class Layout:
-        def operator(self, name, **_):
-            drawn.append(name)
-
-        def __getattr__(self, _):
-            return lambda *args, **kw: self
-
-    class Self:
-        layout = Layout()
-    by_mouse = list(tools.BY_MOUSE)
-    for draw, above in ((tools.SPLINEWRIGHT_MT_curve.draw, []), (tools.SPLINEWRIGHT_PT_curve_tools.draw, by_mouse)):
-        drawn.clear()
-        draw(Self, bpy.context)
-        assert drawn == [f"splinewright.{name}" for name in (*above, *listed)]

@@ -4,10 +4,10 @@ import bpy
 import pytest
 
 from curves import run, value_of, value_of_patch
-from shapes import activate, add, by_hand, enter, leave, op, shown
+from shapes import OF_CURVES, OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
 from support import part
 
-curve_verbs, store = part('ui.operators.curve_verbs'), part('bridge.store')
+store = part('bridge.store')
 
 
 def state(ob):
@@ -17,11 +17,11 @@ def state(ob):
 
 
 REFUSED = (
-    ('insert_knot', {'parameter': 1.5}, 'nurbs', "outside the domain"),
-    ('insert_knot', {'parameter': 0.0}, 'nurbs', "multiplicity 5"),
-    ('insert_knot', {'parameter': 1 / 3, 'times': 8}, 'nurbs', "times|multiplicity"),
+    ('insert_knot', {'parameter_u': 1.5}, 'nurbs', "outside the domain"),
+    ('insert_knot', {'parameter_u': 0.0}, 'nurbs', "multiplicity 5"),
+    ('insert_knot', {'parameter_u': 1 / 3, 'times': 8}, 'nurbs', "times|multiplicity"),
     ('remove_knot', {}, 'cubic', "no inner knot"),
-    ('remove_knot', {'parameter': 0.4, 'nearest': False}, 'nurbs', "no knot that can be removed"),
+    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'nurbs', "no knot that can be removed"),
     ('remove_knot', {'times': 5}, 'nurbs', "times = 5"),
     ('remove_knot', {'limited': True, 'tolerance': 1e-3}, 'nurbs', "within 0.001: the error would be"),
     ('remove_knots', {'tolerance': 1e-3}, 'nurbs', "no knot can go"),
@@ -29,28 +29,28 @@ REFUSED = (
     ('lower_degree', {'limited': True, 'tolerance': 0.0}, 'cubic', "the error would be"),
     ('lower_degree', {}, 'semicircle', "weights"),
     ('raise_degree', {'times': 1000}, 'cubic', "times = 1000"),
-    ('split_curve', {'parameter': 2.0}, 'cubic', "u = 2"), ('split_curve', {'parameter': 1.0}, 'nurbs', "u = 1"),
-    ('split_curve', {'where': 'KNOTS'}, 'cubic', "no inner knot"),
-    ('split_curve', {'where': 'FLAT', 'tolerance': 100.0}, 'cubic', "flat already"),
-    ('split_curve', {'where': 'FLAT'}, 'hyperbola', "infinity"), ('project_curve', {'eye': (1, 2, 0)}, 'cubic', "eye"),
-    ('reparametrise', {'start': 1.0, 'end': 1.0}, 'nurbs', "domain"),
-    ('reparametrise', {'start': 2.0, 'end': 1.0}, 'hermite', "domain"),
-    ('reparametrise', {'start': 0.0, 'end': 1.0}, 'nurbs', "these already"),
-    ('reparametrise', {'how': 'MOEBIUS', 'rho': 0.0}, 'nurbs', "rho"),
-    ('reparametrise', {'how': 'MOEBIUS', 'rho': -1.0}, 'cubic', "rho"),
+    ('split', {'parameter_u': 2.0}, 'cubic', "u = 2"), ('split', {'parameter_u': 1.0}, 'nurbs', "u = 1"),
+    ('split', {'where': 'KNOTS'}, 'cubic', "no inner knot"),
+    ('split', {'where': 'FLAT', 'tolerance': 100.0}, 'cubic', "flat already"),
+    ('split', {'where': 'FLAT'}, 'hyperbola', "infinity"), ('project_curve', {'eye': (1, 2, 0)}, 'cubic', "eye"),
+    ('reparameterize', {'start': 1.0, 'end': 1.0}, 'nurbs', "domain"),
+    ('reparameterize', {'start': 2.0, 'end': 1.0}, 'hermite', "domain"),
+    ('reparameterize', {'start': 0.0, 'end': 1.0}, 'nurbs', "these already"),
+    ('reparameterize', {'how': 'MOEBIUS', 'rho': 0.0}, 'nurbs', "rho"),
+    ('reparameterize', {'how': 'MOEBIUS', 'rho': -1.0}, 'cubic', "rho"),
     ('standard_form', {}, 'cubic', "1 already"), ('standard_form', {}, 'uniform', "clamped"),
     ('clamp', {}, 'nurbs', "already"), ('unclamp', {}, 'uniform', "already"),
     ('make_periodic', {}, 'cubic', "do not meet"), ('make_periodic', {}, 'periodic', "already"),
-    ('to_bezier_chain', {}, 'quintic', "already"), ('to_nurbs', {}, 'periodic', "already"),
+    ('to_bezier', {}, 'quintic', "already"), ('to_nurbs', {}, 'periodic', "already"),
     ('to_hermite', {}, 'hermite', "already"), ('to_hermite', {}, 'quintic', "degree = 5"),
     ('to_hermite', {}, 'rational cubic', "not rational"), ('to_hermite', {}, 'hyperbola', "infinity"),
     ('to_hermite', {'tolerance': 1e-12}, 'large circle', "cannot be had"),
     ('reverse', {'piece': 2}, 'cubic', "1 piece, there is none of number 2"),
     ('reverse', {'piece': 5}, 'many curves', "4 pieces, there is none of number 5"),
-    ('insert_knot', {'parameter': 0.3}, 'many curves', "piece 2: u = 0.3 is outside"),
+    ('insert_knot', {'parameter_u': 0.3}, 'many curves', "piece 2: u = 0.3 is outside"),
     ('lower_degree', {}, 'many curves', "piece 3: weights"),
-    ('rebuild', {'count': 3}, 'cubic', "count = 3 control points are fewer"),
-    ('rebuild', {'degree': 999}, 'cubic', "degree = 999"), ('rebuild', {}, 'hyperbola', "infinity"),
+    ('rebuild', {'count_u': 3}, 'cubic', "count = 3 control points are fewer"),
+    ('rebuild', {'degree_u': 999}, 'cubic', "degree = 999"), ('rebuild', {}, 'hyperbola', "infinity"),
     ('fair', {}, 'hyperbola', "infinity"))
 
 
@@ -63,7 +63,7 @@ def test_what_cannot_be_done_is_said_and_nothing_is_lost(name, settings, kind, w
     assert state(ob) == before
 
 
-NAMES = [cls.bl_idname.split('.')[1] for cls in curve_verbs.CLASSES]
+NAMES = names_of(OF_CURVES)
 
 
 @pytest.mark.parametrize('name', (*NAMES, 'join_ends'))
@@ -116,8 +116,11 @@ def test_an_operator_wants_a_selected_curve_shape_or_its_net(name):
     operator = getattr(bpy.ops.splinewright, name)
     assert not operator.poll()
     add(value_of_patch())
-    assert not operator.poll()
-    with pytest.raises(RuntimeError, match="Select a curve shape"):
+    takes_patches = name in names_of(OF_PATCHES)
+    assert operator.poll() == takes_patches
+    activate(bpy.data.objects["shape"])
+    bpy.context.object.select_set(False)
+    with pytest.raises(RuntimeError, match="Select a curve" + (" or surface" if takes_patches else "") + " shape"):
         operator()
     bpy.ops.curve.primitive_bezier_curve_add()
     assert not operator.poll()
@@ -128,6 +131,7 @@ def test_an_operator_wants_a_selected_curve_shape_or_its_net(name):
     leave()
     add(value_of_patch())
     enter()
-    assert not operator.poll()
-    with pytest.raises(RuntimeError, match="another kind of shape"):
-        operator()
+    assert operator.poll() == takes_patches
+    if not takes_patches:
+        with pytest.raises(RuntimeError, match="another kind of shape"):
+            operator()

@@ -11,19 +11,19 @@ from curves import curves_of, run, said_distance, value_of
 from shapes import activate, add, require_exact
 from support import part, splinecore as sc
 
-curve_verbs, pieces = part('ui.operators.curve_verbs'), part('ui.operators.pieces')
+knot_verbs, on_shapes, pieces = (part(f'ui.operators.{name}') for name in ('knot_verbs', 'on_shapes', 'pieces'))
 
 ALL = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'hermite with corners', 'closed hermite', 'nurbs',
        'periodic')
 WITH_KNOTS = ('hermite', 'hermite with corners', 'closed hermite', 'nurbs', 'periodic')
 #: Operator, settings, kinds of curves that it keeps.
 KEEPING = (
-    ('insert_knot', {'parameter': 0.3}, ALL), ('insert_knot', {'where': 'SPANS', 'times': 2}, ALL),
+    ('insert_knot', {'parameter_u': 0.3}, ALL), ('insert_knot', {'where': 'SPANS', 'times': 2}, ALL),
     ('raise_degree', {'times': 2}, ALL), ('reverse', {}, ALL),
-    ('split_curve', {'parameter': 0.3}, ALL), ('split_curve', {'where': 'KNOTS'}, WITH_KNOTS),
-    ('reparametrise', {'start': -1.5, 'end': 3.1}, ALL), ('reparametrise', {'how': 'MOEBIUS', 'rho': 2.5}, ALL),
+    ('split', {'parameter_u': 0.3}, ALL), ('split', {'where': 'KNOTS'}, WITH_KNOTS),
+    ('reparameterize', {'start': -1.5, 'end': 3.1}, ALL), ('reparameterize', {'how': 'MOEBIUS', 'rho': 2.5}, ALL),
     ('standard_form', {}, ('rational cubic', 'nurbs')), ('clamp', {}, ('periodic', 'uniform')), ('unclamp', {}, ALL),
-    ('make_periodic', {}, ('closed hermite', 'circle')), ('to_bezier_chain', {}, WITH_KNOTS),
+    ('make_periodic', {}, ('closed hermite', 'circle')), ('to_bezier', {}, WITH_KNOTS),
     ('to_hermite', {}, ('cubic', 'parabola', 'periodic', 'three knots')),
     ('to_nurbs', {}, ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'closed hermite')))
 
@@ -50,10 +50,10 @@ def distinct_knots(curve):
 def breaks_of(curve, name, settings):
     """The parameters between which the curves lie that come out, on the curve that went in."""
     start, end = curve.domain
-    if name == 'to_bezier_chain' or settings.get('where') == 'KNOTS' and name == 'split_curve':
+    if name == 'to_bezier' or settings.get('where') == 'KNOTS' and name == 'split':
         return distinct_knots(curve)
-    if name == 'split_curve':
-        at = settings['parameter']
+    if name == 'split':
+        at = settings['parameter_u']
         return [at, at + end - start] if getattr(curve, 'periodic', False) else [start, at, end]
     return [start, end]
 
@@ -112,7 +112,7 @@ def test_the_measure_of_these_tests_sees_a_move_of_a_millionth():
     assert farthest(before, [before.with_points(points)], 'raise_degree', {}) > 1e-10
 
 
-KINDS_AFTERWARDS = (('to_bezier_chain', 'nurbs', sc.BezierCurve), ('to_hermite', 'cubic', sc.HermiteCurve),
+KINDS_AFTERWARDS = (('to_bezier', 'nurbs', sc.BezierCurve), ('to_hermite', 'cubic', sc.HermiteCurve),
                     ('to_nurbs', 'hermite', sc.NurbsCurve), ('raise_degree', 'cubic', sc.BezierCurve),
                     ('reverse', 'hermite', sc.HermiteCurve), ('insert_knot', 'cubic', sc.NurbsCurve))
 
@@ -130,7 +130,7 @@ def test_degrees_knots_domains_and_weights_are_what_was_asked_for():
     assert ob.data.splinewright.value.degree == 6
     run('lower_degree', times=3)
     assert ob.data.splinewright.value.degree == 3
-    run('reparametrise', start=0.1, end=0.7)
+    run('reparameterize', start=0.1, end=0.7)
     assert ob.data.splinewright.value.domain == (0.1, 0.7), "a typed 0.1 is 0.1"
     run('standard_form')
     weights = ob.data.splinewright.value.weights
@@ -145,30 +145,30 @@ def test_degrees_knots_domains_and_weights_are_what_was_asked_for():
 
 def test_a_number_in_single_precision_meets_the_knot_that_is_meant():
     ob = add(value_of('nurbs'))
-    run('insert_knot', parameter=1 / 3, times=2)
+    run('insert_knot', parameter_u=1 / 3, times=2)
     knots = ob.data.splinewright.value.knots
     assert (knots == 1 / 3).sum() == 3 and np.float32(1 / 3) not in knots
-    run('remove_knot', parameter=1 / 3, nearest=False, times=2)
+    run('remove_knot', parameter_u=1 / 3, nearest=False, times=2)
     assert (ob.data.splinewright.value.knots == 1 / 3).sum() == 1
-    run('split_curve', parameter=1 / 3)
+    run('split', parameter_u=1 / 3)
     assert [curve.domain for curve in curves_of(ob)] == [(0, 1 / 3), (1 / 3, 1)]
 
 
 def first_parameter(cls, piece=0, given=()):
     """What an operator begins with. Its invoke() is called in a window only, so a stand-in calls it."""
     settings = types.SimpleNamespace(is_property_set=lambda name: name in given)
-    menu = type("Menu", (curve_verbs._AtParameter,), {
-        'first_parameter': vars(cls).get('first_parameter', vars(curve_verbs._AtParameter)['first_parameter']),
-        'properties': settings, 'piece': piece, 'only': "", 'parameter': 0.25,
-        'execute': lambda self, context: self.parameter})
+    menu = type("Menu", (on_shapes.AtParameters, on_shapes.OnShapes), {
+        'first_parameter': vars(cls).get('first_parameter', vars(on_shapes.AtParameters)['first_parameter']),
+        'properties': settings, 'piece': piece, 'only': "", 'parameter_u': 0.25, 'parameter_v': 0.75,
+        'execute': lambda self, context: self.parameter_u})
     return menu().invoke(bpy.context, None)
 
 
 def test_from_a_menu_the_parameter_is_one_of_the_active_curve_unless_it_is_given():
-    insert, split = curve_verbs.SPLINEWRIGHT_OT_insert_knot, curve_verbs.SPLINEWRIGHT_OT_split_curve
+    insert, split = knot_verbs.SPLINEWRIGHT_OT_insert_knot, knot_verbs.SPLINEWRIGHT_OT_split
     first = add(value_of('nurbs'))
     assert np.isclose(first_parameter(insert), 2 / 3) and first_parameter(split) == 0.5
-    assert first_parameter(split, given=['parameter']) == 0.25
+    assert first_parameter(split, given=['parameter_u']) == 0.25
     other = add([value_of('cubic'), sc.NurbsCurve(2, [5, 5, 5, 6, 8, 8, 8], shapes.points(4))], "other")
     activate(other, first)
     assert first_parameter(insert, piece=2) == 7 and first_parameter(split, piece=2) == 6.5
@@ -185,14 +185,14 @@ def measured(before, after):
 
 
 APPROXIMATING = (
-    ('remove_knot', {'parameter': 0.3}, 'nurbs'), ('remove_knot', {'parameter': 0.3, 'times': 2}, 'three knots'),
+    ('remove_knot', {'parameter_u': 0.3}, 'nurbs'), ('remove_knot', {'parameter_u': 0.3, 'times': 2}, 'three knots'),
     ('remove_knots', {'tolerance': 1.0}, 'three knots'), ('remove_knots', {'tolerance': 2.0}, 'hermite'),
     ('remove_knots', {'tolerance': 0.4}, 'periodic'), ('lower_degree', {}, 'nurbs'), ('lower_degree', {}, 'quintic'),
     ('lower_degree', {'times': 2}, 'quintic'), ('lower_degree', {}, 'hermite'), ('lower_degree', {}, 'periodic'),
     ('make_periodic', {'tolerance': 0.001}, 'nearly closed'),
-    ('rebuild', {'count': 6}, 'nurbs'), ('rebuild', {'count': 7, 'degree': 4, 'keep_tangents': True}, 'quintic'),
-    ('rebuild', {'by': 'TOLERANCE', 'tolerance': 0.03125}, 'hermite'), ('rebuild', {'count': 9}, 'periodic'),
-    ('rebuild', {'count': 5, 'degree': 4}, 'nurbs'), ('rebuild', {'count': 12}, 'semicircle'),
+    ('rebuild', {'count_u': 6}, 'nurbs'), ('rebuild', {'count_u': 7, 'degree_u': 4, 'keep_tangents': True}, 'quintic'),
+    ('rebuild', {'by': 'TOLERANCE', 'tolerance': 0.03125}, 'hermite'), ('rebuild', {'count_u': 9}, 'periodic'),
+    ('rebuild', {'count_u': 5, 'degree_u': 4}, 'nurbs'), ('rebuild', {'count_u': 12}, 'semicircle'),
     ('fair', {'tolerance': 0.0625}, 'nurbs'), ('fair', {'tolerance': 0.03125, 'keep_tangents': True}, 'three knots'),
     ('fair', {'tolerance': 0.03125}, 'periodic'), ('fair', {'tolerance': 0.0625}, 'hermite'))
 
@@ -210,7 +210,7 @@ def test_the_error_said_is_the_error_made(name, settings, kind, said):
 
 
 @pytest.mark.parametrize('name, settings, kind, undoes', (
-    ('remove_knot', {'parameter': 0.6}, 'nurbs', ('insert_knot', {'parameter': 0.6})),
+    ('remove_knot', {'parameter_u': 0.6}, 'nurbs', ('insert_knot', {'parameter_u': 0.6})),
     ('remove_knots', {}, 'cubic', ('insert_knot', {'where': 'SPANS'})),
     ('lower_degree', {'times': 2}, 'nurbs', ('raise_degree', {'times': 2})),
     ('lower_degree', {}, 'cubic', ('raise_degree', {}))))
@@ -239,7 +239,7 @@ def test_what_is_rebuilt_and_faired_is_taken_back_and_done_again(name, settings,
 def test_what_is_rebuilt_and_faired_is_the_librarys():
     before = value_of('nurbs')
     ob = add(before)
-    run('rebuild', count=7, degree=4, keep_tangents=True)
+    run('rebuild', count_u=7, degree_u=4, keep_tangents=True)
     assert ob.data.splinewright.value == before.rebuild(7, 4, ends='tangents').value
     run('fair', tolerance=0.125)
     assert ob.data.splinewright.value == before.rebuild(7, 4, ends='tangents').value.fair(0.125).value
@@ -259,6 +259,6 @@ def test_a_conic_becomes_hermite_within_the_tolerance(kind, tolerance, said):
 
 def test_counts_of_pieces_and_points_are_said(said):
     add(value_of('nurbs'))
-    run('to_bezier_chain')
-    run('split_curve', piece=2, parameter=0.5)
+    run('to_bezier')
+    run('split', piece=2, parameter_u=0.5)
     assert said == [": 1 piece became 3, 6 points became 12", ": 3 pieces became 4, 12 points became 16"]

@@ -165,7 +165,7 @@ def three_shapes():
     bpy.ops.splinewright.add_bezier_patch(location=(5, 0, 0))
     patch = bpy.context.object
     bpy.ops.splinewright.add_bezier_patch(degree_u=2)
-    bpy.ops.splinewright.patch_split()
+    bpy.ops.splinewright.split()
     for ob in (curve, patch):
         ob.select_set(True)
     bpy.context.view_layer.update()

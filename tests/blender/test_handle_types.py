@@ -344,7 +344,7 @@ def test_types_go_with_what_shapes_become():
     op(bpy.ops.splinewright.reverse)
     assert kept(ob) == (letters[::-1],)
     op(bpy.ops.splinewright.reverse)
-    op(bpy.ops.splinewright.split_curve, parameter=2.0)
+    op(bpy.ops.splinewright.split, parameter_u=2.0)
     assert kept(ob) == (letters[:6], letters[4:])
     bpy.ops.object.duplicate()
     assert kept(bpy.context.object) == (letters[:6], letters[4:])

@@ -151,7 +151,7 @@ def test_verbs_keep_it_or_say_that_they_end_it(capfd):
     add(neighbours())
     hold()
     assert len(held.read(shape().data)) == 1
-    op(bpy.ops.splinewright.patch_raise_degree, direction='V')
+    op(bpy.ops.splinewright.raise_degree, direction='V')
     assert len(held.read(shape().data)) == 1
     net = enter()
     select(net, row(0, 4))
@@ -159,7 +159,7 @@ def test_verbs_keep_it_or_say_that_they_end_it(capfd):
     followed()
     require_smooth()
     leave()
-    op(bpy.ops.splinewright.patch_reverse, direction='U', piece=1)
+    op(bpy.ops.splinewright.reverse, direction='U', piece=1)
     assert held.read(shape().data) == () and "a seam holds no more" in capfd.readouterr().out
 
 
@@ -174,7 +174,7 @@ def test_damage_is_a_sentence_and_can_be_released(damage):
     move(0, 0, 1)
     assert "release" in live.problem(net)
     leave()
-    assert op(bpy.ops.splinewright.patch_raise_degree, direction='V') == {'FINISHED'}
+    assert op(bpy.ops.splinewright.raise_degree, direction='V') == {'FINISHED'}
     assert held.read(shape().data) == ()
 
 

@@ -163,7 +163,7 @@ def test_verbs_carry_it(capfd):
     hold('G1')
     op(bpy.ops.splinewright.raise_degree)
     assert len(held.read(shape().data)) == 1
-    op(bpy.ops.splinewright.split_curve, piece=1, parameter=0.5)
+    op(bpy.ops.splinewright.split, piece=1, parameter_u=0.5)
     assert [(one.first, one.second) for one in held.read(shape().data)] == [((1, 'end'), (2, 'start'))]
     op(bpy.ops.splinewright.reverse, piece=3)
     assert held.read(shape().data) == () and "a joint holds no more" in capfd.readouterr().out
@@ -230,7 +230,7 @@ def test_a_knot_that_is_moved_or_typed_elsewhere_takes_along_what_holds_there():
 def test_reversed_or_with_another_domain_a_knot_is_never_another_one():
     add(corner())
     hold('C1', second=1, knot=1)
-    op(bpy.ops.splinewright.reparametrise, how='AFFINE', start=0.0, end=4.0)
+    op(bpy.ops.splinewright.reparameterize, how='AFFINE', start=0.0, end=4.0)
     assert at() == [((0, 2.0), (0, 2.0))]
     op(bpy.ops.splinewright.reverse)
     assert at() == []

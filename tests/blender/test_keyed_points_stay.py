@@ -55,7 +55,7 @@ def test_points_at_infinity_and_back_lose_their_keys_and_it_is_told(capfd):
 
 def test_verbs_carry_keys_of_points_that_they_leave_and_tell_of_the_others(capfd):
     ob = ramp(sc.NurbsCurve(2, [0, 0, 0, 1, 2, 3, 4, 4, 4], np.column_stack([range(6), [0, 1, 0, 1, 0, 2], [0] * 6])))
-    assert op(bpy.ops.splinewright.insert_knot, parameter=0.5) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.insert_knot, parameter_u=0.5) == {'FINISHED'}
     assert "the keys of 1 point went" in capfd.readouterr().out
     assert [round(far, 4) for far in moving(ob).values()] == [1, 0, 0, 3, 4, 5, 6]
     require_exact(ob)
@@ -63,7 +63,7 @@ def test_verbs_carry_keys_of_points_that_they_leave_and_tell_of_the_others(capfd
     assert op(bpy.ops.splinewright.reverse) == {'FINISHED'}
     assert [round(far, 4) for far in moving(ob).values()] == [6, 5, 4, 3, 0, 0, 1]
     at(1)
-    assert op(bpy.ops.splinewright.split_curve, parameter=2.0) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.split, parameter_u=2.0) == {'FINISHED'}
     far = moving(ob)
     assert far[0] == pytest.approx(6) and far[max(far)] == pytest.approx(1)
     require_exact(ob)
@@ -73,10 +73,10 @@ def test_patch_verbs_carry_keys_too():
     ob = ramp(sc.BezierPatch(np.dstack([*np.meshgrid(range(3), range(4), indexing='ij'), np.zeros((3, 4))])))
     before = sorted(moving(ob).values())
     at(1)
-    assert op(bpy.ops.splinewright.patch_to_nurbs) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.to_nurbs) == {'FINISHED'}
     assert sorted(moving(ob).values()) == before
     at(1)
-    assert op(bpy.ops.splinewright.patch_swap) == {'FINISHED'}
+    assert op(bpy.ops.splinewright.swap_uv) == {'FINISHED'}
     assert np.allclose(sorted(moving(ob).values()), before)
     require_exact(ob)
 

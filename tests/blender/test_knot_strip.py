@@ -98,7 +98,7 @@ def test_knots_that_single_precision_does_not_hold_are_moved_and_never_mistaken(
     assert value().knots[4] == to
     require_exact(shape())
     hit = strip.Hit(SimpleNamespace(ob=shape(), number=1, bars=seen.bars_of(shape().data, 1)[0]), 0, 1, to)
-    with pytest.raises(part('core.failures').Refusal, match="Reparametrise"):
+    with pytest.raises(part('core.failures').Refusal, match="Reparameterize"):
         strip_keys._require_nameable(hit)
 
 
@@ -180,7 +180,7 @@ def test_of_two_selected_shapes_one_gets_a_knot_where_it_is_meant_alone():
     after = {name: bpy.data.objects[name].data.splinewright.value for name in before}
     assert len(after["one"].points) == len(before["one"].points) + 1 and after["other"] == before["other"]
     with pytest.raises(RuntimeError, match="none of these is not selected"):
-        run('insert_knot', only="none of these", piece=1, parameter=0.15)
+        run('insert_knot', only="none of these", piece=1, parameter_u=0.15)
     assert bpy.data.objects["other"].data.splinewright.value == before["other"]
 
 

@@ -78,7 +78,7 @@ def test_long_verbs_hand_the_cancel_on(verb):
 
 
 def test_operators_whose_work_may_take_long():
-    names = ('rebuild', 'fair', 'patch_rebuild', 'patch_fair', 'fit_patch', 'patch_through_grid', 'fit_curve',
+    names = ('rebuild', 'fair', 'fit_patch', 'patch_through_grid', 'fit_curve',
              'add_projected', 'project_points', 'divide_equally', 'add_offset', 'add_about', 'add_section', 'add_planes',
              'add_on_patch', 'intersections', 'add_touching_circle', 'trim_curve', 'extend_curve', 'split_where_met')
     assert all(issubclass(getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), long_work.LongWork) for name in names)
@@ -86,7 +86,7 @@ def test_operators_whose_work_may_take_long():
 
 def test_a_verb_takes_what_was_made_beforehand():
     ob = add(value_of('nurbs'))
-    run('rebuild', count=6)
+    run('rebuild', count_u=6)
     wanted = ob.data.splinewright.value
     before = part('bridge.store').read(add(value_of('nurbs'), "other").data)
     work = long_work.Work({'a': lambda cancel: verbs.changed(before, 0, verbs.rebuild(6, 3, 'points', cancel), "")})

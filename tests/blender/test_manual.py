@@ -110,7 +110,7 @@ def path_of(address):
 
 
 @pytest.mark.parametrize('name, page', (
-    ('splinewright.edit_net', 'nets.html'), ('SPLINEWRIGHT_OT_insert_knot.times', 'curves.html'),
+    ('splinewright.edit_net', 'nets.html'), ('SPLINEWRIGHT_OT_insert_knot.times', 'modify.html'),
     ('SplinewrightShape.tolerance', 'surfaces.html'), ('SplinewrightRecipe.torus_radius', 'surfaces.html')))
 def test_f1_opens_the_page_in_the_browser(name, page, opened):
     assert bpy.ops.wm.doc_view_manual(doc_id=name) == {'FINISHED'}

@@ -8,31 +8,53 @@ import pytest
 import patches
 from curves import value_of
 from natives import native_curve
-from shapes import activate, add
+from shapes import activate, add, enter, op
 from support import part
 
-menus = part('ui.menus')
+menus, menu_table, offered = part('ui.menus'), part('ui.menu_table'), part('ui.offered')
+#: Blender's own height of an entry and of a line between groups, in pixels at 100 %.
+ENTRY, LINE = 20, 8
+#: Operators that are not found in menus: of panels, keys, files, redo panels, lists and other modes.
+ELSEWHERE = {
+    'add_inputs', 'axis_from_edge', 'contour_through_points', 'edit_source', 'export_bpt', 'export_json', 'fit_patch', 'hold_joint',
+    'hold_seam', 'import_bpt', 'import_json', 'insert_on_strip', 'leave_result', 'manual', 'measure_whole', 'move_input', 'move_knot',
+    'patch_through_grid', 'pick_for_operator', 'pie', 'release_joint', 'release_seam', 'remove_input', 'remove_on_strip',
+    'reverse_inputs', 'select_seen', 'self_test', 'set_moving', 'set_patch_material', 'show_inputs', 'sort_inputs',
+    'tolerance_from_render', 'turn_input'}
 
 
 class Drawn(list):
-    """Stands for a UILayout: the names of what is put into it."""
+    """Stands for a UILayout: the names of what is put into it, with what lies below. `sizes`: of each menu, its entries and lines."""
 
     enabled = True
 
+    def __init__(self):
+        self.sizes, self.grey, self._menus = {}, set(), [""]
+
     def operator(self, name, **_):
         self.append(name.split(".")[1])
+        self.count('entries')
         assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
+        if not self.enabled:
+            self.grey.add(self[-1])
 
     def menu(self, name, **_):
         self.append(name)
-        menu = getattr(bpy.types, name)
-        menu.draw(SimpleNamespace(layout=self), bpy.context)
+        self.count('entries')
+        self._menus.append(name)
+        self.sizes[name] = {'entries': 0, 'lines': 0}
+        getattr(bpy.types, name).draw(SimpleNamespace(layout=self), bpy.context)
+        self._menus.pop()
+
+    def count(self, what):
+        if self._menus[-1]:
+            self.sizes[self._menus[-1]][what] += 1
 
     def row(self, **_):
         return self
 
     def separator(self, **_):
-        """Nothing is named."""
+        self.count('lines')
 
 
 def drawn(menu):
@@ -45,6 +67,7 @@ def drawn(menu):
 
 
 CONTEXT, APPLY, CONVERT = "VIEW3D_MT_object_context_menu", "VIEW3D_MT_object_apply", "VIEW3D_MT_object_convert"
+HEADER = "VIEW3D_MT_editor_menus"
 
 
 def cube():
@@ -73,21 +96,20 @@ def test_nothing_selected_has_no_entries():
 
 def test_a_curve_of_blender_is_made_exact_or_followed():
     native_curve()
-    assert drawn(CONTEXT)[:3] == ["SPLINEWRIGHT_MT_object_context", "make_exact", "follow_object"]
+    assert {"make_exact", "follow_object"} <= set(drawn(CONTEXT)) and drawn(HEADER)[0] == "SPLINEWRIGHT_MT_object"
     assert {"add_revolve", "add_extrude", "add_ruled"} <= set(drawn(CONTEXT))
     assert not {"edit_net", "to_native", "restore", "join", "raise_degree"} & set(drawn(CONTEXT))
     assert drawn(APPLY) == [] and drawn(CONVERT) == ["make_exact"]
 
 
 @pytest.mark.parametrize('value, own, others', (
-    (lambda: value_of('cubic'), {"SPLINEWRIGHT_MT_curve", "raise_degree", "add_revolve"},
-     {"SPLINEWRIGHT_MT_patch", "patch_split"}),
-    (lambda: patches.value_of('bicubic'), {"SPLINEWRIGHT_MT_patch", "patch_split"},
-     {"SPLINEWRIGHT_MT_curve", "raise_degree", "add_revolve"})))
+    (lambda: value_of('cubic'), {"SPLINEWRIGHT_MT_corners", "trim_curve", "add_revolve"}, {"swap_uv", "join_patches"}),
+    (lambda: patches.value_of('bicubic'), {"swap_uv", "extract_isocurve", "add_thickened"},
+     {"SPLINEWRIGHT_MT_corners", "trim_curve", "add_revolve"})))
 def test_a_shape_has_its_verbs(value, own, others):
     add(value())
     found = set(drawn(CONTEXT))
-    assert own | {"edit_net", "set_knots", "pick_piece", "to_native", "follow_object", "restore"} <= found
+    assert own | {"edit_net", "set_knots", "pick_piece", "to_native", "follow_object", "restore", "raise_degree", "split"} <= found
     assert not (others | {"make_exact"}) & found
     assert drawn(APPLY) == ["apply_transform"] and drawn(CONVERT) == ["to_native"]
 
@@ -98,20 +120,65 @@ def test_a_shape_and_a_cube_have_what_concerns_the_shape():
     assert "raise_degree" in drawn(CONTEXT)
 
 
-def test_the_object_menu_holds_everything():
+def follower():
+    native_curve()
+    op(bpy.ops.splinewright.follow_object)
+
+
+def net(value):
+    def begin():
+        add(value())
+        enter()
+    return begin
+
+
+STATES = {'nothing': lambda: None, 'curve': lambda: add(value_of('nurbs')), 'patch': lambda: add(patches.value_of('plain nurbs')),
+          'follower': follower, 'curve of Blender': native_curve, 'curve net': net(lambda: value_of('nurbs')),
+          'patch net': net(lambda: patches.value_of('plain nurbs'))}
+
+
+@pytest.mark.parametrize('state', STATES)
+def test_no_menu_has_more_than_14_entries_or_is_higher_than_500_pixels(state):
+    STATES[state]()
+    for name, _ in (*menus._PLACES, *menus._TOPS):
+        for menu, size in drawn(name).sizes.items():
+            assert 0 < size['entries'] <= 14, (menu, size)
+            assert ENTRY * (1 + size['entries']) + LINE * size['lines'] <= 500, (menu, size)
+
+
+def test_whatever_is_selected_no_menu_can_grow_longer():
+    for menu in menu_table.MENUS:
+        assert sum(entry is not None for entry in menu.entries) <= 14, menu.name
+
+
+def test_a_command_is_in_one_menu():
+    nets = {entry.operator for entry in menu_table.operators_in(menu_table.NET)}
+    objects = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)]
+    adding = [entry.operator for top in (menu_table.ADD_CURVE, menu_table.ADD_SURFACE) for entry in menu_table.operators_in(top)]
+    from_objects = {entry.operator for menu in (menu_table.FROM_CURVES, menu_table.FROM_SURFACES) for entry in menu.entries}
+    assert len(objects) == len(set(objects)) and len(adding) == len(set(adding))
+    assert set(objects) & set(adding) == from_objects, "what is made of objects is under Add, too, in the same menus"
+    listed = {*objects, *adding, *nets}
+    assert listed | ELSEWHERE == set(dir(bpy.ops.splinewright)), (set(dir(bpy.ops.splinewright)) - listed - ELSEWHERE, (listed | ELSEWHERE) - set(dir(bpy.ops.splinewright)))
+
+
+def test_the_header_has_the_menu_while_there_is_something_to_do():
+    assert drawn(HEADER) == []
     cube()
-    found = set(drawn("VIEW3D_MT_object"))
-    assert {"edit_net", "make_exact", "raise_degree", "patch_split", "add_ruled", "detach"} <= found
-
-
-def test_no_operator_stands_twice_in_a_menu():
+    assert drawn(HEADER) == []
     add(value_of('cubic'))
-    for name, _ in menus._PLACES:
-        found = drawn(name)
-        assert len(found) == len(set(found)), name
+    assert drawn(HEADER)[0] == "SPLINEWRIGHT_MT_object"
+    enter()
+    assert drawn(HEADER)[0] == "SPLINEWRIGHT_MT_net"
 
 
 def test_what_most_begin_with_stands_first_under_add():
-    assert drawn("VIEW3D_MT_curve_add")[1:7] == ["add_line", "add_bezier_curve", "add_bezier_chain", "add_nurbs_curve",
-                                                 "add_circle", "add_arc"]
+    assert drawn("VIEW3D_MT_curve_add")[1:7] == ["add_line", "add_bezier_curve", "add_bezier_chain", "add_hermite_curve", "add_nurbs_curve",
+                                                 "add_circle"]
     assert {"add_revolve", "add_extrude", "add_ruled"} <= set(drawn("VIEW3D_MT_surface_add"))
+
+
+def test_under_add_all_that_is_made_of_objects_stands_whatever_is_selected():
+    for begin in (lambda: None, cube):
+        begin()
+        assert {"add_loft", "add_thickened", "add_of_mesh"} <= set(drawn("VIEW3D_MT_surface_add"))

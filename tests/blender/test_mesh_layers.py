@@ -135,7 +135,7 @@ def test_a_layer_that_only_has_the_name_of_ours_does_no_harm(name, data_type, do
     ob = sheet()
     ob.data.attributes.remove(ob.data.attributes[name])
     ob.data.attributes.new(name, data_type, domain)
-    assert bpy.ops.splinewright.patch_reverse('EXEC_DEFAULT', True) == {'FINISHED'}
+    assert bpy.ops.splinewright.reverse('EXEC_DEFAULT', True) == {'FINISHED'}
     refine(ob)
     assert not shape.is_touched(ob.data)
     ob.data.materials.append(bpy.data.materials.new("clay"))
@@ -166,7 +166,7 @@ def test_where_corners_lie_is_kept_for_vertices_where_that_is_enough():
     assert domain_of(sc.PatchSet.from_patches(patch.to_nurbs().split('u', 0.5))) == 'CORNER'
     assert domain_of(sc.build.sphere((0, 0, 0), 1.0)) == 'CORNER'
     ob = add(patch)
-    run = bpy.ops.splinewright.patch_split
+    run = bpy.ops.splinewright.split
     assert run('EXEC_DEFAULT', True, direction='U') == {'FINISHED'}
     assert ob.data.attributes["parameters"].domain == 'CORNER'
 

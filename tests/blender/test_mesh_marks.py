@@ -209,11 +209,11 @@ def test_a_mesh_without_marks_is_noted_nowhere():
 # Verbs ----------------------------------------------------------------------------------------------------------------
 
 
-VERBS = (('patch_reverse', {}), ('patch_reverse', {'direction': 'BOTH'}), ('patch_swap', {}), ('patch_raise_degree', {}),
-         ('patch_split', {'where': 'PARAMETER', 'direction': 'U', 'parameter_u': 0.5, 'parameter_v': 0.5}),
-         ('patch_split', {'where': 'PARAMETER', 'direction': 'V', 'parameter_u': 0.5, 'parameter_v': 0.25}),
-         ('patch_split', {'where': 'PARAMETER', 'direction': 'BOTH', 'parameter_u': 0.25, 'parameter_v': 0.75}),
-         ('patch_reparametrise', {'how': 'AFFINE', 'start': 2.0, 'end': 3.0}))
+VERBS = (('reverse', {}), ('reverse', {'direction': 'BOTH'}), ('swap_uv', {}), ('raise_degree', {}),
+         ('split', {'where': 'PARAMETER', 'direction': 'U', 'parameter_u': 0.5, 'parameter_v': 0.5}),
+         ('split', {'where': 'PARAMETER', 'direction': 'V', 'parameter_u': 0.5, 'parameter_v': 0.25}),
+         ('split', {'where': 'PARAMETER', 'direction': 'BOTH', 'parameter_u': 0.25, 'parameter_v': 0.75}),
+         ('reparameterize', {'how': 'AFFINE', 'start': 2.0, 'end': 3.0}))
 
 
 @pytest.mark.parametrize('mark', ('seam', 'crease', 'sharp', 'counted'))
@@ -238,16 +238,16 @@ def test_marks_on_knots_become_those_of_borders_and_of_both_sides():
     middle = [float(value) for value in np.unique(np.round(ends(ob.data)[:, :, 0], 5))][6]
     put(ob, mark, middle)
     count = require_marked(ob, mark, middle)
-    run('patch_to_bezier')
+    run('to_bezier')
     assert require_marked(ob, mark, middle) == count and len(ob.data.splinewright.value) == 4
 
 
 def test_moebius_there_and_back():
     ob, mark = sheet(8), MARKS['seam']
     put(ob, mark, 0.0, 1.5)
-    run('patch_reparametrise', how='MOEBIUS', rho=2.0)
+    run('reparameterize', how='MOEBIUS', rho=2.0)
     require_marked(ob, mark, 0.0)
-    run('patch_reparametrise', how='MOEBIUS', rho=0.5)
+    run('reparameterize', how='MOEBIUS', rho=0.5)
     require_marked(ob, mark, 0.0, 1.5)
 
 
@@ -261,7 +261,7 @@ def test_marks_stay_where_they_are_if_the_mesh_cannot_be_made(monkeypatch):
     with monkeypatch.context() as patch:
         patch.setattr(shape, 'evaluated', refuse)
         with pytest.raises(RuntimeError, match="too much to show"):
-            run('patch_reverse')
+            run('reverse')
     require_marked(ob, mark, 0.0)
     resolve(ob, 4)
     require_marked(ob, mark, 0.0, 1.5)
@@ -400,8 +400,8 @@ def test_pinned_corners_stay_pinned():
     assert found[places < 0.1].all() and not found[places > 0.8].any()
 
 
-@pytest.mark.parametrize('name, settings', ((None, {}), ('patch_split', {'direction': 'U', 'parameter_u': 0.5}),
-                                            ('patch_reverse', {}), ('patch_swap', {})))
+@pytest.mark.parametrize('name, settings', ((None, {}), ('split', {'direction': 'U', 'parameter_u': 0.5}),
+                                            ('reverse', {}), ('swap_uv', {})))
 def test_materials_and_shading_of_single_faces_stay_where_they_are(name, settings):
     ob = sheet(8)
     for word in ("red", "blue"):

@@ -11,9 +11,9 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Explode', 'Export', 'Extend', 'Extract',
-         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Offset', 'Pick', 'Project', 'Pull', 'Raise',
-         'Rebuild', 'Release', 'Remove', 'Renew', 'Reparametrise', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Sort', 'Split', 'Swap', 'Sweep', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
+         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 
+         'Rebuild', 'Reduce', 'Release', 'Remove', 'Renew', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split', 'Swap', 'Sweep', 'Switch', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
          'Write'}
 
 
@@ -54,20 +54,20 @@ def test_presets_of_files_hold_no_path_though_the_file_browser_shows_it_again(na
 
 def test_what_is_done_is_an_undo_step_of_its_name(capfd):
     add(value_of('nurbs'))
-    for name in ('insert_knot', 'split_curve', 'to_bezier_chain', 'edit_net', 'leave_net', 'add_basis'):
+    for name in ('insert_knot', 'split', 'to_bezier', 'edit_net', 'leave_net', 'add_basis'):
         op(getattr(bpy.ops.splinewright, name)) if name in ('edit_net', 'leave_net') else run(name)
     capfd.readouterr()
     bpy.context.window_manager.print_undo_steps()
     ctypes.CDLL(None).fflush(None)      # Blender's own buffer
     said = capfd.readouterr().out
-    for label in ("Insert Knot", "Split", "Convert To Bezier Chain", "Edit Net", "Leave Net", "Add Basis Functions"):
+    for label in ("Insert Knot", "Split", "Convert to Bezier", "Edit Net", "Leave Net", "Add Basis Functions"):
         assert f"name='{label}'" in said
 
 
 def test_buttons_leave_out_what_menus_say_already():
-    text_of = part('ui.tools').text_of
-    assert [text_of(name) for name in ('to_nurbs', 'patch_to_bezier', 'standard_form', 'project_curve', 'make_periodic')] == [
-        "To NURBS", "To Bezier Patches", "Standard Form", "Perspective Image", "Make Periodic"]
+    text_of = part('ui.offered').text_of
+    assert [text_of(name) for name in ('to_nurbs', 'to_bezier', 'standard_form', 'add_line', 'make_periodic')] == [
+        "Convert to NURBS", "Convert to Bezier", "Normalize Weights", "Line", "Make Periodic"]
 
 
 @pytest.mark.parametrize('name, settings', (('write_formulas', {'piece': 4}), ('add_basis', {'piece': 4})))

@@ -52,10 +52,10 @@ def test_flat_patches_that_are_joined_stay_flat():
 
 
 @pytest.mark.parametrize('name, settings, expected', (
-    ('patch_split', {'piece': 2, **AT}, [0, 1, 1, 2]),
-    ('patch_split', {'direction': 'BOTH', **AT}, [0] * 4 + [1] * 4 + [2] * 4),
-    ('patch_to_bezier', {'piece': 1}, [0, 0, 0, 1, 2]), ('patch_reverse', {}, [0, 1, 2]), ('patch_swap', {}, [0, 1, 2]),
-    ('patch_insert_knot', {'where': 'SPANS'}, [0, 1, 2])))
+    ('split', {'piece': 2, **AT}, [0, 1, 1, 2]),
+    ('split', {'direction': 'BOTH', **AT}, [0] * 4 + [1] * 4 + [2] * 4),
+    ('to_bezier', {'piece': 1}, [0, 0, 0, 1, 2]), ('reverse', {}, [0, 1, 2]), ('swap_uv', {}, [0, 1, 2]),
+    ('insert_knot', {'where': 'SPANS'}, [0, 1, 2])))
 def test_material_and_shading_stay_with_each_patch(name, settings, expected):
     first = sc.NurbsPatch((3, 3), (shapes.CLAMPED, [0, 0, 0, 0, 1, 1, 1, 1]), shapes.points(6, 4))
     ob = dressed(sc.PatchSet.from_patches([first, value_of('bicubic'), value_of('bezier patch')]))
@@ -68,7 +68,7 @@ def test_material_and_shading_stay_with_each_patch(name, settings, expected):
     assert looks_of(bpy.data.objects["shape"]) == [look(i) for i in range(3)]
 
 
-@pytest.mark.parametrize('name, settings', (('patch_reverse', {}), ('patch_swap', {})))
+@pytest.mark.parametrize('name, settings', (('reverse', {}), ('swap_uv', {})))
 def test_a_turned_patch_shows_the_same_points_and_its_normals_are_turned(name, settings):
     ob = add(value_of('plain nurbs'))
     ob.data.splinewright.set_resolution(3, 5)
@@ -80,17 +80,17 @@ def test_a_turned_patch_shows_the_same_points_and_its_normals_are_turned(name, s
     nearest = min(ob.data.polygons, key=lambda polygon: (polygon.center - normal[1]).length)
     assert np.allclose(nearest.normal, -normal[0], atol=1e-4)
     resolution = ob.data.splinewright.resolution_u, ob.data.splinewright.resolution_v
-    assert resolution == ((5, 3) if name == 'patch_swap' else (3, 5))
+    assert resolution == ((5, 3) if name == 'swap_uv' else (3, 5))
     require_exact(ob)
     bpy.ops.ed.undo()
     settings_of = bpy.data.objects["shape"].data.splinewright
     assert (settings_of.resolution_u, settings_of.resolution_v) == (3, 5)
 
 
-CARRIED = (('patch_reverse', {'direction': 'BOTH'}), ('patch_reverse', {}), ('patch_swap', {}), ('patch_to_bezier', {}),
-           ('patch_split', {'direction': 'BOTH', **AT}), ('patch_split', {'where': 'KNOTS'}),
-           ('patch_raise_degree', {}), ('patch_insert_knot', {'direction': 'V', **AT}),
-           ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 3.0}))
+CARRIED = (('reverse', {'direction': 'BOTH'}), ('reverse', {}), ('swap_uv', {}), ('to_bezier', {}),
+           ('split', {'direction': 'BOTH', **AT}), ('split', {'where': 'KNOTS'}),
+           ('raise_degree', {}), ('insert_knot', {'direction': 'V', **AT}),
+           ('reparameterize', {'how': 'MOEBIUS', 'rho': 3.0}))
 
 
 def painted(ob):
@@ -121,7 +121,7 @@ def test_what_is_painted_stays_in_its_place(name, settings, kind):
     run(name, **settings)
     colour, weight = farthest_paint(ob)
     # Faces across a cut are those of one part; the other has what lies nearest to it.
-    most = 0.25 if name == 'patch_split' and 'where' not in settings else 0.02
+    most = 0.25 if name == 'split' and 'where' not in settings else 0.02
     assert colour < most and weight < most / 3
     uvs = np.empty(2 * len(ob.data.loops), np.float32)
     ob.data.uv_layers["UVMap"].data.foreach_get('uv', uvs)
@@ -140,5 +140,5 @@ def test_what_is_painted_stays_where_it_is_if_the_mesh_cannot_be_made(monkeypatc
     before = lying()
     monkeypatch.setattr(shape, 'evaluated', refuse)
     with pytest.raises(RuntimeError, match="too much to show"):
-        run('patch_reverse')
+        run('reverse')
     assert lying() == before and before[1][0] == 0

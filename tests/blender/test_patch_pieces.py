@@ -11,15 +11,14 @@ from patches import DIRECTIONS, farthest, meetings, patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-patch_verbs, patch_join, extract, store = (part(name) for name in (
-    'ui.operators.patch_verbs', 'ui.operators.patch_join', 'ui.operators.extract', 'bridge.store'))
-KEPT_EDGES = (('patch_insert_knot', {'where': 'SPANS'}), ('patch_raise_degree', {'times': 2}), ('patch_reverse', {}),
-              ('patch_reparametrise', {'end': 3.0}),
-              ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 1.0}), ('patch_swap', {}), ('patch_to_nurbs', {}))
+extract, store = part('ui.operators.extract'), part('bridge.store')
+KEPT_EDGES = (('insert_knot', {'where': 'SPANS'}), ('raise_degree', {'times': 2}), ('reverse', {}),
+              ('reparameterize', {'end': 3.0}),
+              ('reparameterize', {'how': 'MOEBIUS', 'rho': 1.0}), ('swap_uv', {}), ('to_nurbs', {}))
 
 
 def settings_for(name, settings, direction):
-    return settings if name in ('patch_swap', 'patch_to_nurbs') else {**settings, 'direction': direction}
+    return settings if name in ('swap_uv', 'to_nurbs') else {**settings, 'direction': direction}
 
 
 @pytest.mark.parametrize('kind', ('teapot', 'four around a corner'))
@@ -41,7 +40,7 @@ def test_edges_that_were_shared_are_shared_and_no_others(name, settings, kind):
 def test_the_teapot_of_higher_degree_has_as_many_points_as_its_patches_edges_and_corners_ask_for():
     ob = add(value_of('teapot'))
     for degree in (4, 5):
-        run('patch_raise_degree', direction='BOTH')
+        run('raise_degree', direction='BOTH')
         # 52 shared edges, 16 free ones, and 37 corners, of which two are poles
         assert len(ob.data.splinewright.value.points) == 32 * (degree - 1) ** 2 + 68 * (degree - 1) + 37
 
@@ -49,7 +48,7 @@ def test_the_teapot_of_higher_degree_has_as_many_points_as_its_patches_edges_and
 @pytest.mark.parametrize('direction', DIRECTIONS)
 def test_parts_of_a_split_share_the_cut_and_what_the_whole_shared(direction):
     ob = add(value_of('four around a corner'))
-    run('patch_split', direction=direction, parameter_u=0.5, parameter_v=0.5)
+    run('split', direction=direction, parameter_u=0.5, parameter_v=0.5)
     cut, counts = ob.data.splinewright.value, 4 if direction == 'BOTH' else 2
     assert len(cut) == 4 * counts
     if direction == 'BOTH':
@@ -63,20 +62,20 @@ def test_edges_are_shared_wherever_the_points_lie():
         before = value_of('four around a corner')
         before = before.with_points(before.points + (offset, 0, 3), before.weights)
         ob = add(before)
-        run('patch_raise_degree', times=3, direction='BOTH')
+        run('raise_degree', times=3, direction='BOTH')
         assert set(meetings(ob.data.splinewright.value).values()) == {7}
     far = value_of('four around a corner')
     points = far.points.copy()
     points[far.patches[0]['indices'][-1]] *= 1e6
     ob = add(far.with_points(points, far.weights))
-    run('patch_raise_degree', direction='BOTH')
+    run('raise_degree', direction='BOTH')
     assert set(meetings(ob.data.splinewright.value).values()) == {5}
 
 
 def test_a_patch_and_its_bezier_patches_have_one_pool():
     for kind, shared, free in (('plain nurbs', 12, 12), ('torus', 32, 0), ('sphere', 12, 0)):
         ob = add(value_of(kind))
-        run('patch_to_bezier')
+        run('to_bezier')
         counts = ob.data.splinewright.value.edge_counts()
         assert (counts['shared'], counts['free']) == (shared, free), kind
 
@@ -84,9 +83,9 @@ def test_a_patch_and_its_bezier_patches_have_one_pool():
 def test_unclamped_patches_meet_no_more_in_points_and_are_where_they_were():
     before = value_of('four around a corner')
     ob = add(before)
-    run('patch_unclamp', direction='BOTH')
+    run('unclamp', direction='BOTH')
     after = patches_of(ob)
-    assert max(farthest(before[i], [after[i]], 'patch_unclamp', {}) for i in range(4)) < 1e-12
+    assert max(farthest(before[i], [after[i]], 'unclamp', {}) for i in range(4)) < 1e-12
     assert meetings(ob.data.splinewright.value) == {}
     assert ob.data.splinewright.value.edge_counts() == before.edge_counts(), "edges are known by their places"
 
@@ -94,7 +93,7 @@ def test_unclamped_patches_meet_no_more_in_points_and_are_where_they_were():
 def test_a_single_patch_keeps_points_apart_that_lie_in_one_place():
     ob = add(value_of('sphere'))
     count = len(store.read(ob.data).pool)
-    run('patch_reverse')
+    run('reverse')
     assert len(store.read(ob.data).pool) == count and isinstance(ob.data.splinewright.value, sc.NurbsPatch)
 
 
@@ -102,24 +101,24 @@ def test_patches_that_touch_and_share_nothing_go_on_sharing_nothing():
     patch = value_of('bicubic')
     other = patch.with_points(patch.points + (0, 0, 1))
     ob = add(sc.PatchSet.from_patches([patch, other, patch], merge=False))
-    run('patch_raise_degree', direction='BOTH')
+    run('raise_degree', direction='BOTH')
     assert len(ob.data.splinewright.value.points) == 75
 
 
 def test_one_piece_is_done_and_the_others_keep_their_rows():
     before = value_of('four around a corner')
     ob = add(before)
-    run('patch_raise_degree', piece=2, direction='BOTH', neighbors=False)
+    run('raise_degree', piece=2, direction='BOTH', neighbors=False)
     after = ob.data.splinewright.value
     assert [patch.degree for patch in patches_of(ob)] == [(3, 3), (4, 4), (3, 3), (3, 3)]
     assert all(after[i] == before[i] for i in (0, 2, 3))
     rows = [set(patch['indices'].ravel().tolist()) for patch in after.patches]
     assert len(rows[0] & rows[1]) == 2 and len(rows[1] & rows[3]) == 2, "corners alone, of edges with other points"
     assert len(rows[0] & rows[2]) == 4 and len(rows[0] & rows[3]) == 1
-    run('patch_lower_degree', piece=2, direction='BOTH')
+    run('lower_degree', piece=2, direction='BOTH')
     assert meetings(ob.data.splinewright.value) == meetings(before), "they meet again"
-    op(bpy.ops.splinewright.patch_raise_degree, piece=3)
-    op(bpy.ops.splinewright.patch_reverse)
+    op(bpy.ops.splinewright.raise_degree, piece=3)
+    op(bpy.ops.splinewright.reverse)
     assert patches_of(ob)[0] != before[0], "the piece is not remembered"
 
 
@@ -127,7 +126,7 @@ def test_a_set_of_hermite_patches_shares_points_and_handles():
     net = value_of('ferguson')
     before = sc.PatchSet.from_patches(net.split('u', 1.0))
     ob = add(before)
-    run('patch_split', direction='V', parameter_v=0.5)
+    run('split', direction='V', parameter_v=0.5)
     after = ob.data.splinewright.value
     assert len(after) == 4 and {(0, 1), (2, 3), (0, 2), (1, 3)} <= meetings(after).keys()
     shapes.enter()
@@ -144,36 +143,12 @@ def test_every_selected_shape_is_done_those_that_share_data_once_and_failures_ar
     bpy.context.scene.collection.objects.link(twin)
     curve = add(sc.BezierCurve(shapes.points(3)), "curve")
     activate(twin, first, second, third, curve)
-    assert run('patch_raise_degree') == {'FINISHED'}
+    assert run('raise_degree') == {'FINISHED'}
     assert [ob.data.splinewright.value.degree[0] for ob in (first, twin, second, third)] == [4, 4, 4, 6]
-    assert run('patch_lower_degree', times=4) == {'FINISHED'}, "biquintic alone has so many"
+    assert run('lower_degree', times=4) == {'FINISHED'}, "biquintic alone has so many"
     assert [ob.data.splinewright.value.degree[0] for ob in (first, twin, second, third)] == [4, 4, 4, 2]
     with pytest.raises(RuntimeError, match="(?s)(plain nurbs|twin).*bicubic.*biquintic"):
-        run('patch_lower_degree', times=9)
-
-
-def test_every_verb_is_in_the_menu_and_in_the_sidebar():
-    tools = part('ui.patch_tools')
-    listed = [name for _, names in tools._GROUPS for name in names]
-    classes = (*patch_verbs.CLASSES, *patch_join.CLASSES, *extract.CLASSES)
-    assert sorted(listed) == sorted(cls.bl_idname.split('.')[1] for cls in classes)
-    drawn = []
-    add(value_of('nurbs patch'))
-
-    class Layout:
-        def operator(self, name, **_):
-            drawn.append(name)
-
-        def __getattr__(self, _):
-            return lambda *args, **kw: self
-
-    class Self:
-        layout = Layout()
-    by_mouse = ['insert_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here', 'round_here']
-    for draw, above in ((tools.SPLINEWRIGHT_MT_patch.draw, []), (tools.SPLINEWRIGHT_PT_patch_tools.draw, by_mouse)):
-        drawn.clear()
-        draw(Self, bpy.context)
-        assert drawn == [f"splinewright.{name}" for name in (*above, *listed)]
+        run('lower_degree', times=9)
 
 
 # The redo panel ---------------------------------------------------------------------------------------------------
@@ -183,7 +158,7 @@ CHOICES = {'direction': tuple(DIRECTIONS), 'where': ('PARAMETER', 'KNOTS', 'SPAN
            'limited': (False, True)}
 
 
-@pytest.mark.parametrize('cls', (*patch_verbs.CLASSES, *extract.CLASSES), ids=lambda cls: cls.bl_idname)
+@pytest.mark.parametrize('cls', extract.CLASSES, ids=lambda cls: cls.bl_idname)
 def test_every_setting_is_described_and_shown(cls):
     rna = getattr(bpy.ops.splinewright, cls.bl_idname.split('.')[1]).get_rna_type()
     properties = {p.identifier: p for p in rna.properties if p.identifier != 'rna_type' and not p.is_hidden}

@@ -6,11 +6,10 @@ import pytest
 import shapes
 from curves import run
 from patches import value_of
-from shapes import activate, add, by_hand, enter, leave, op, shown
+from shapes import OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
 from support import part, scene_state, splinecore as sc
 
-patch_verbs, extract, store = (part(name) for name in (
-    'ui.operators.patch_verbs', 'ui.operators.extract', 'bridge.store'))
+extract, store = part('ui.operators.extract'), part('bridge.store')
 
 
 def state(ob):
@@ -20,43 +19,43 @@ def state(ob):
 
 BOTH = {'direction': 'BOTH'}
 REFUSED = (
-    ('patch_insert_knot', {'parameter_u': 1.5}, 'plain nurbs', "u = 1.5 is outside the domain"),
-    ('patch_insert_knot', {'parameter_v': 1.5, **BOTH}, 'plain nurbs', "along v: .*outside the domain"),
-    ('patch_insert_knot', {'parameter_u': 0.0}, 'plain nurbs', "multiplicity 5"),
-    ('patch_insert_knot', {'parameter_u': 1 / 3, 'times': 8}, 'plain nurbs', "times|multiplicity"),
-    ('patch_remove_knot', {}, 'bicubic', "no inner knot"),
-    ('patch_remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'plain nurbs', "no knot that can be removed"),
-    ('patch_remove_knot', {'times': 5}, 'plain nurbs', "times = 5"),
-    ('patch_remove_knot', {'limited': True, 'tolerance': 1e-3}, 'plain nurbs', "within 0.001: the error would be"),
-    ('patch_remove_knots', {'tolerance': 1e-3}, 'plain nurbs', "no knot can go"),
-    ('patch_remove_knots', {'tolerance': 1e-3, **BOTH}, 'bicubic', "no knot can go"),
-    ('patch_lower_degree', {'times': 3}, 'bicubic', "times = 3"),
-    ('patch_lower_degree', {'limited': True, 'tolerance': 0.0}, 'bicubic', "the error would be"),
-    ('patch_lower_degree', BOTH, 'bilinear', "along u: times = 1"),
-    ('patch_raise_degree', {'times': 1000}, 'bicubic', "times = 1000"),
-    ('patch_split', {'parameter_u': 2.0}, 'bicubic', "u = 2"),
-    ('patch_split', {'parameter_u': 1.0}, 'plain nurbs', "u = 1"),
-    ('patch_split', {'where': 'KNOTS'}, 'bicubic', "no inner knot"),
-    ('patch_reparametrise', {'start': 1.0, 'end': 1.0}, 'plain nurbs', "domain"),
-    ('patch_reparametrise', {'start': 2.0, 'end': 1.0}, 'hermite patch', "domain"),
-    ('patch_reparametrise', BOTH, 'plain nurbs', "these already"),
-    ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': 0.0}, 'plain nurbs', "rho"),
-    ('patch_reparametrise', {'how': 'MOEBIUS', 'rho': -1.0}, 'bicubic', "rho"),
-    ('patch_clamp', BOTH, 'plain nurbs', "already"), ('patch_unclamp', BOTH, 'uniform', "already"),
-    ('patch_make_periodic', {}, 'bicubic', "do not meet"),
-    ('patch_make_periodic', BOTH, 'cylinder', "along v: .*do not meet"),
-    ('patch_make_periodic', BOTH, 'both periodic', "already"),
-    ('patch_to_bezier', {}, 'biquintic', "already"), ('patch_to_nurbs', {}, 'both periodic', "already"),
-    ('patch_to_hermite', {}, 'hermite patch', "already"), ('patch_to_hermite', {}, 'biquintic', "degree = 5"),
-    ('patch_to_hermite', {}, 'bezier patch', "weights|rational"),
-    ('patch_swap', {'piece': 2}, 'bicubic', "1 piece, there is none of number 2"),
-    ('patch_reverse', {'piece': 33}, 'teapot', "32 pieces, there is none of number 33"),
-    ('patch_lower_degree', BOTH, 'mixed set', "piece 2: along v: times = 1"),
-    ('patch_rebuild', {'count_u': 3}, 'bicubic', "along u: count = 3"),
-    ('patch_rebuild', {'degree_v': 999}, 'bicubic', "along v: degree = 999"),
-    ('patch_fair', {}, 'bilinear', "degree 1 in both directions"),
-    ('patch_fair', {'keep_tangents': True}, 'hermite patch', "no other patch within the tolerance"),
-    ('patch_insert_knot', {'parameter_u': 0.4}, 'mixed set', "piece 1: u = 0.4 is outside"))
+    ('insert_knot', {'parameter_u': 1.5}, 'plain nurbs', "u = 1.5 is outside the domain"),
+    ('insert_knot', {'parameter_v': 1.5, **BOTH}, 'plain nurbs', "along v: .*outside the domain"),
+    ('insert_knot', {'parameter_u': 0.0}, 'plain nurbs', "multiplicity 5"),
+    ('insert_knot', {'parameter_u': 1 / 3, 'times': 8}, 'plain nurbs', "times|multiplicity"),
+    ('remove_knot', {}, 'bicubic', "no inner knot"),
+    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'plain nurbs', "no knot that can be removed"),
+    ('remove_knot', {'times': 5}, 'plain nurbs', "times = 5"),
+    ('remove_knot', {'limited': True, 'tolerance': 1e-3}, 'plain nurbs', "within 0.001: the error would be"),
+    ('remove_knots', {'tolerance': 1e-3}, 'plain nurbs', "no knot can go"),
+    ('remove_knots', {'tolerance': 1e-3, **BOTH}, 'bicubic', "no knot can go"),
+    ('lower_degree', {'times': 3}, 'bicubic', "times = 3"),
+    ('lower_degree', {'limited': True, 'tolerance': 0.0}, 'bicubic', "the error would be"),
+    ('lower_degree', BOTH, 'bilinear', "along u: times = 1"),
+    ('raise_degree', {'times': 1000}, 'bicubic', "times = 1000"),
+    ('split', {'parameter_u': 2.0}, 'bicubic', "u = 2"),
+    ('split', {'parameter_u': 1.0}, 'plain nurbs', "u = 1"),
+    ('split', {'where': 'KNOTS'}, 'bicubic', "no inner knot"),
+    ('reparameterize', {'start': 1.0, 'end': 1.0}, 'plain nurbs', "domain"),
+    ('reparameterize', {'start': 2.0, 'end': 1.0}, 'hermite patch', "domain"),
+    ('reparameterize', BOTH, 'plain nurbs', "these already"),
+    ('reparameterize', {'how': 'MOEBIUS', 'rho': 0.0}, 'plain nurbs', "rho"),
+    ('reparameterize', {'how': 'MOEBIUS', 'rho': -1.0}, 'bicubic', "rho"),
+    ('clamp', BOTH, 'plain nurbs', "already"), ('unclamp', BOTH, 'uniform', "already"),
+    ('make_periodic', {}, 'bicubic', "do not meet"),
+    ('make_periodic', BOTH, 'cylinder', "along v: .*do not meet"),
+    ('make_periodic', BOTH, 'both periodic', "already"),
+    ('to_bezier', {}, 'biquintic', "already"), ('to_nurbs', {}, 'both periodic', "already"),
+    ('to_hermite', {}, 'hermite patch', "already"), ('to_hermite', {}, 'biquintic', "degree = 5"),
+    ('to_hermite', {}, 'bezier patch', "weights|rational"),
+    ('swap_uv', {'piece': 2}, 'bicubic', "1 piece, there is none of number 2"),
+    ('reverse', {'piece': 33}, 'teapot', "32 pieces, there is none of number 33"),
+    ('lower_degree', BOTH, 'mixed set', "piece 2: along v: times = 1"),
+    ('rebuild', {'count_u': 3}, 'bicubic', "along u: count = 3"),
+    ('rebuild', {'degree_v': 999}, 'bicubic', "along v: degree = 999"),
+    ('fair', {}, 'bilinear', "degree 1 in both directions"),
+    ('fair', {'keep_tangents': True}, 'hermite patch', "no other patch within the tolerance"),
+    ('insert_knot', {'parameter_u': 0.4}, 'mixed set', "piece 1: u = 0.4 is outside"))
 
 
 @pytest.mark.parametrize('name, settings, kind, word', REFUSED)
@@ -71,14 +70,14 @@ def test_what_cannot_be_done_is_said_and_nothing_is_lost(name, settings, kind, w
 def test_of_several_shapes_those_that_can_are_done_and_the_others_are_named(capfd):
     first, second = add(value_of('bicubic'), "flat"), add(value_of('plain nurbs'), "knotted")
     activate(second, first)
-    assert run('patch_remove_knot') == {'FINISHED'}
+    assert run('remove_knot') == {'FINISHED'}
     assert first.data.splinewright.value == value_of('bicubic')
     assert second.data.splinewright.value.points.shape == (5, 6, 3)
     assert "flat: there is no inner knot" in "".join(capfd.readouterr())
 
 
 @pytest.mark.parametrize('name, kind, settings', (
-    ('patch_make_periodic', 'bicubic', {}), ('patch_remove_knots', 'nurbs patch', {'direction': 'V'})))
+    ('make_periodic', 'bicubic', {}), ('remove_knots', 'nurbs patch', {'direction': 'V'})))
 def test_a_tolerance_as_large_as_the_shape_is_refused(name, kind, settings):
     ob = add(value_of(kind))
     before = state(ob)
@@ -87,8 +86,7 @@ def test_a_tolerance_as_large_as_the_shape_is_refused(name, kind, settings):
     assert state(ob) == before
 
 
-NAMES = [cls.bl_idname.split('.')[1] for cls in patch_verbs.CLASSES]
-EXTRACTING = [cls.bl_idname.split('.')[1] for cls in extract.CLASSES]
+NAMES, EXTRACTING = names_of(OF_PATCHES), names_of(extract.CLASSES)
 
 
 @pytest.mark.parametrize('name', NAMES)
@@ -108,7 +106,7 @@ def test_a_recipe_a_follower_and_what_was_changed_by_hand_are_refused(name):
         assert state(ob) == before
     activate(torus)
     op(bpy.ops.splinewright.make_editable)
-    if name in ('patch_raise_degree', 'patch_reverse', 'patch_swap', 'patch_clamp'):
+    if name in ('raise_degree', 'reverse', 'swap_uv', 'clamp'):
         assert run(name) == {'FINISHED'}
 
 

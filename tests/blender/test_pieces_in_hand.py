@@ -76,7 +76,7 @@ def test_in_hand_stays_what_came_of_the_piece(piece, expected):
     ob = add(value_of('many curves'))
     ob.data.splinewright.piece = piece
     bpy.ops.ed.undo_push(message="pick")
-    op(bpy.ops.splinewright.split_curve, piece=2, parameter=3.0)
+    op(bpy.ops.splinewright.split, piece=2, parameter_u=3.0)
     assert hand.of(ob.data)[0] == expected
     bpy.ops.ed.undo()
     assert hand.of(bpy.data.objects["shape"].data)[0] == piece
@@ -104,7 +104,7 @@ def test_pairs_begin_with_two_pieces_of_one_shape_or_one_of_each_of_two():
 
 def test_the_numbers_that_are_asked_for_are_those_of_before():
     ob = add(value_of('many curves'))
-    op(bpy.ops.splinewright.split_curve, piece=2, parameter=3.0)
+    op(bpy.ops.splinewright.split, piece=2, parameter_u=3.0)
     operator = SimpleNamespace(bl_idname='SPLINEWRIGHT_OT_split_curve')
     assert hand.asked(operator) == {'piece': {"shape": (1, 2, 2, 3, 4)}}
     assert hand.asked(SimpleNamespace(bl_idname='SPLINEWRIGHT_OT_reverse')) == {}

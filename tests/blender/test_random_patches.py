@@ -3,13 +3,13 @@
 import bpy
 
 from patches import MORE, value_of
-from shapes import activate, add, require_exact
+from shapes import OF_PATCHES, activate, add, names_of, require_exact
 from support import part, vertices
 from test_random_walk import LARGEST, MOST_OBJECTS, SEED, Walk, run
 
 mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
     'bridge.mesh_layers', 'ui.seams_overlay', 'bridge.shape', 'bridge.store', 'bridge.surveys'))
-VERBS = [cls.bl_idname.split('.')[1] for cls in part('ui.operators.patch_verbs').CLASSES]
+VERBS = names_of(OF_PATCHES)
 KINDS = (*MORE, 'bezier patch', 'hermite patch', 'nurbs patch', 'mixed set')
 STEPS = 300
 

@@ -8,7 +8,7 @@ import traceback
 import bpy
 import numpy as np
 
-from shapes import VALUES, activate, add, numbers_of, require_exact
+from shapes import OF_CURVES, OF_PATCHES, VALUES, activate, add, names_of, numbers_of, require_exact
 from support import part, splinecore as sc
 
 editing, handlers, live, net_object, selection, recipes, shape, store = (part(name) for name in (
@@ -19,8 +19,7 @@ STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
 SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
 MOST_OBJECTS = 9
 LARGEST = 400                           # points of a shape that is still refined
-VERBS = [cls.bl_idname.split('.')[1] for name in ('curve_verbs', 'patch_verbs')
-         for cls in part(f'ui.operators.{name}').CLASSES]
+VERBS = sorted({*names_of(OF_CURVES), *names_of(OF_PATCHES)})
 KINDS = [name for name in VALUES if name != 'teapot']
 
 

@@ -72,8 +72,8 @@ def test_what_conversions_drop_is_in_their_one_report(capfd):
 
 
 def test_every_verb_without_settings_says_one_thing(capfd):
-    for name, kind in (('reverse', 'nurbs'), ('to_bezier_chain', 'nurbs'), ('insert_knot', 'cubic'),
-                       ('raise_degree', 'many curves'), ('split_curve', 'cubic'), ('apply_transform', 'cubic'),
+    for name, kind in (('reverse', 'nurbs'), ('to_bezier', 'nurbs'), ('insert_knot', 'cubic'),
+                       ('raise_degree', 'many curves'), ('split', 'cubic'), ('apply_transform', 'cubic'),
                        ('restore', 'cubic'), ('detach', 'cubic')):
         add(value_of(kind))
         capfd.readouterr()

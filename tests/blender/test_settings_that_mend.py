@@ -11,7 +11,7 @@ from patches import value_of as patch_of
 from shapes import add, enter, leave, select
 from support import part, splinecore as sc
 
-pieces, curve_verbs = part('ui.operators.pieces'), part('ui.operators.curve_verbs')
+pieces = part('ui.operators.pieces')
 decreasing = "0 0 0 0 3 2 3 3 3 3"
 
 
@@ -21,8 +21,8 @@ def asked(name, **settings):
 
 
 @pytest.mark.parametrize('name, value', (('make_periodic', lambda: value_of('cubic')), ('remove_knots', lambda: value_of('nurbs')),
-                                         ('patch_make_periodic', lambda: patch_of('bicubic')),
-                                         ('reparametrise', lambda: value_of('cubic'))))
+                                         ('make_periodic', lambda: patch_of('bicubic')),
+                                         ('reparameterize', lambda: value_of('cubic'))))
 def test_the_panel_stays_where_a_setting_may_do_it(name, value, capfd):
     ob = add(value())
     before = ob.data.splinewright.value
@@ -34,8 +34,8 @@ def test_the_panel_stays_where_a_setting_may_do_it(name, value, capfd):
 
 def test_what_no_setting_can_do_is_refused_by_hand_too():
     add(value_of('cubic'))
-    with pytest.raises(RuntimeError, match="are Bezier curves already"):
-        asked('to_bezier_chain')
+    with pytest.raises(RuntimeError, match="are Bezier already"):
+        asked('to_bezier')
     bpy.ops.splinewright.add_circle()
     with pytest.raises(RuntimeError, match="made by a recipe"):
         asked('make_periodic')

@@ -45,8 +45,8 @@ def open_border(value):
     return total
 
 
-STEPS = (('patch_split', {'parameter_u': 0.3, 'parameter_v': 0.6}), ('patch_insert_knot', {'parameter_u': 0.3, 'parameter_v': 0.6}),
-         ('patch_raise_degree', {'times': 2}), ('patch_insert_knot', {'where': 'SPANS'}))
+STEPS = (('split', {'parameter_u': 0.3, 'parameter_v': 0.6}), ('insert_knot', {'parameter_u': 0.3, 'parameter_v': 0.6}),
+         ('raise_degree', {'times': 2}), ('insert_knot', {'where': 'SPANS'}))
 
 
 @pytest.mark.parametrize('kind', ('bezier', 'rational', 'nurbs'))
@@ -59,7 +59,7 @@ def test_what_was_closed_stays_closed(name, settings, direction, kind, capfd):
         given = {key: (2.0 + 2.0 * at if kind == 'nurbs' and key.endswith('v') else at) for key, at in settings.items()}
         assert run(name, piece=6, direction=direction, **given) == {'FINISHED'}
         after = ob.data.splinewright.value
-        assert len(after) > len(before) or name != 'patch_split'
+        assert len(after) > len(before) or name != 'split'
         assert abs(open_border(after) - open_border(before)) < 1e-9 * open_border(before)
         assert len(after) < 2 * len(before), "no more than a row of patches, and a column, are cut"
         require_exact(ob)
@@ -70,14 +70,14 @@ def test_what_was_closed_stays_closed(name, settings, direction, kind, capfd):
 def test_without_neighbors_it_comes_open_and_says_where(direction, capfd):
     ob = add(surface(5, 1, 3, 'bezier'))
     before = open_border(ob.data.splinewright.value)
-    run('patch_split', piece=2, direction=direction, neighbors=False)
+    run('split', piece=2, direction=direction, neighbors=False)
     opened = open_border(ob.data.splinewright.value) > before * (1 + 1e-9)
     assert opened == ("open now between the patches" in capfd.readouterr().out)
 
 
 def test_lower_degree_of_one_patch_says_what_it_opens(capfd):
     ob = add(surface(5, 2, 2, 'bezier'))
-    run('patch_lower_degree', piece=1, direction='BOTH')
+    run('lower_degree', piece=1, direction='BOTH')
     assert "shape is open now between the patches 1 and" in capfd.readouterr().out
 
 
@@ -86,7 +86,7 @@ def test_the_teapot_stays_as_closed_as_it_was():
     before = open_border(ob.data.splinewright.value)
     for piece in (1, 9, 20, 32):
         for direction in 'UV':
-            run('patch_split', piece=piece, direction=direction, parameter_u=0.4, parameter_v=0.7)
+            run('split', piece=piece, direction=direction, parameter_u=0.4, parameter_v=0.7)
             assert abs(open_border(ob.data.splinewright.value) - before) < 1e-9 * before
     require_exact(ob)
 
@@ -97,6 +97,6 @@ def test_a_ring_of_patches_is_cut_all_round():
     ob = add(sc.PatchSet.from_patches(quarters))
     before = open_border(ob.data.splinewright.value)
     for direction in 'UV':
-        run('patch_split', piece=1, direction=direction, parameter_u=0.5, parameter_v=0.5)
+        run('split', piece=1, direction=direction, parameter_u=0.5, parameter_v=0.5)
         assert abs(open_border(ob.data.splinewright.value) - before) < 1e-9 * before
     require_exact(ob)

@@ -51,17 +51,41 @@ def entries(menu, context='INVOKE_REGION_WIN'):
     return layout.found
 
 
-#: By the words of their entries, below Add.
-_MENUS = {"": 'VIEW3D_MT_add', "Curve": 'VIEW3D_MT_curve_add', "Surface": 'VIEW3D_MT_surface_add',
-          "Curve > Splinewright": 'SPLINEWRIGHT_MT_curve_add', "Surface > Splinewright": 'SPLINEWRIGHT_MT_surface_add'}
+#: Blender's own, by the words of their entries.
+_BLENDERS = {"Curve": 'VIEW3D_MT_curve_add', "Surface": 'VIEW3D_MT_surface_add'}
+
+
+def _opened(menu, name):
+    """The name of the menu that an entry of another one opens, in words."""
+    table = part('ui.menu_table')
+    if menu == 'VIEW3D_MT_add':
+        return _BLENDERS[name]
+    if menu in _BLENDERS.values():
+        return (table.ADD_CURVE if menu == 'VIEW3D_MT_curve_add' else table.ADD_SURFACE).idname
+    own = next(own for own in table.MENUS if own.idname == menu)
+    return next(entry.idname for entry in own.entries if isinstance(entry, table.Menu) and entry.label == name)
 
 
 def add(view, path):
-    """Steps that choose what a path of words below Shift+A says: Curve > Splinewright > Circle."""
-    names = path.split(" > ")
+    """Steps that choose what a path of words below Shift+A says: Curve > NURBS > Circle."""
+    yield from _chosen(view, 'VIEW3D_MT_add', path, lambda: view.press('A', shift=True))
+
+
+def command(view, path):
+    """Steps that choose what a path of words below NURBS says, the menu of the header: Modify > Rebuild."""
+    def opened():
+        with view.override():
+            bpy.ops.wm.call_menu(name=part('ui.menu_table').OBJECT.idname)
+    yield from _chosen(view, part('ui.menu_table').OBJECT.idname, path, opened)
+
+
+def _chosen(view, menu, path, opens):
+    names, menus = path.split(" > "), []
     with view.override():
-        menus = [entries(_MENUS[" > ".join(names[:i])], 'INVOKE_REGION_WIN' if i else 'EXEC_REGION_WIN') for i in range(len(names))]
-    view.press('A', shift=True)
+        for i, name in enumerate(names):
+            menus.append(entries(menu, 'INVOKE_REGION_WIN' if i else 'EXEC_REGION_WIN'))
+            menu = _opened(menu, name) if i + 1 < len(names) else None
+    opens()
     yield from redrawn()
     for i, (name, found) in enumerate(zip(names, menus)):
         for key in ['HOME', *['DOWN_ARROW'] * found.index(name), 'RET' if i == len(names) - 1 else 'RIGHT_ARROW']:

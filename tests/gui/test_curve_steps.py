@@ -64,7 +64,7 @@ def folded(view):
     yield from until(lambda: bpy.context.object.type == 'MESH', "the pipe")
     assert "the surface folds there" in part('bridge.recipes').read(bpy.context.object.data).warning
     view.open_sidebar()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     yield from redrawn()
     yield from redrawn()
     picture("folds")

@@ -89,7 +89,7 @@ def steps():
     yield from redrawn()
     empty = Look("edit-0-empty")
 
-    # Shift+A > Surface > Splinewright > NURBS Patch
+    # Shift+A > Surface > NURBS > NURBS Patch
     view.press('A', shift=True)
     yield from redrawn()
     from_first_entry = 2 if bpy.app.version < (4, 0, 0) else 3          # later ones begin with Search
@@ -110,7 +110,7 @@ def steps():
     yield from into_net()
     entered = Look("edit-2-tab")
     assert entered.is_in_net() and entered.value == added.value and entered.differs_from(added)
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     view.move(420, 420)
     yield from redrawn()
 

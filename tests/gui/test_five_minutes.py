@@ -87,7 +87,7 @@ def keys(view, text):
         yield from until(is_out if was_in else in_net, "Tab brings the net out, and puts it away")
     elif text == "N":
         yield from by_keys.keys(view, "N")
-    elif text == "Splinewright":
+    elif text == "NURBS":
         yield from view.show_tab(text, (1045, 538))
     elif text == "F3":
         view.press('F3')

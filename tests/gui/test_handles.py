@@ -169,7 +169,7 @@ def set_by_v(view):
         bpy.ops.curve.handle_type_set('EXEC_DEFAULT', True, type='VECTOR')
     yield from until(lambda: kept()[0][6:8] == "VV" and value() != before, "the type is kept")
     view.open_sidebar()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     yield from redrawn()
     picture("vector")
     view.press('Z', ctrl=True)

@@ -118,7 +118,7 @@ def steps():
     yield from drag(view)
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     picture("panel")
 
 

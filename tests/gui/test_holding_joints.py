@@ -87,7 +87,7 @@ def steps():
     yield from dragged(view, first[3], second[0])
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     picture("panel")
     view.move(420, 420)
     view.press('TAB')

@@ -166,7 +166,7 @@ def in_the_sidebar(view):
     view.press('TAB')
     yield from into_net()
     select_points(2)
-    yield from view.show_tab("Splinewright", (1043, 540))
+    yield from view.show_tab("NURBS", (1043, 540))
     before = pool()
     picture("sidebar")
     item = shape().data.splinewright_keyed[0]

@@ -95,7 +95,7 @@ def said(view):
 def results_of_changes(view):
     yield from add_patch(view)
     with view.override():
-        bpy.ops.splinewright.patch_raise_degree('INVOKE_DEFAULT', True)
+        bpy.ops.splinewright.raise_degree('INVOKE_DEFAULT', True)
     yield from redrawn()
     for times, count in ((3, 75), (2, 60)):
         last().properties.times = times
@@ -130,8 +130,8 @@ def preset_of(operator, name, override):
 def rebuilt_and_faired(view):
     """Of curves and patches: the panel does it anew from what was before, undo takes it back, redo does it again."""
     for adds, name, setting, values in (
-            ('add_interpolating', 'rebuild', 'count', (6, 9)), ('add_interpolating', 'fair', 'tolerance', (0.5, 0.25)),
-            ('add_nurbs_patch', 'patch_rebuild', 'count_u', (5, 7)), ('add_nurbs_patch', 'patch_fair', 'tolerance', (0.5, 0.25))):
+            ('add_interpolating', 'rebuild', 'count_u', (6, 9)), ('add_interpolating', 'fair', 'tolerance', (0.5, 0.25)),
+            ('add_nurbs_patch', 'rebuild', 'count_u', (5, 7)), ('add_nurbs_patch', 'fair', 'tolerance', (0.5, 0.25))):
         empty_file()
         with view.override():
             getattr(bpy.ops.splinewright, adds)('EXEC_DEFAULT', True)
@@ -140,15 +140,14 @@ def rebuilt_and_faired(view):
         view.move(420, 420)
         yield from redrawn()
         before = bpy.context.object.data.splinewright.value
-        verb = name.removeprefix("patch_")
         with view.override():
             assert getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True) == {'FINISHED'}
         yield from redrawn()
         for number in values:
             setattr(last().properties, setting, number)
             yield from again(view)
-            given = {'rebuild': (number,), 'fair': (number,), 'patch_rebuild': ((number, 8), (3, 3)), 'patch_fair': (number,)}
-            wanted = getattr(before, verb)(*given[name]).value
+            of_patch = adds == 'add_nurbs_patch' and name == 'rebuild'
+            wanted = getattr(before, name)(*(((number, 10), (3, 3)) if of_patch else (number,))).value
             assert bpy.context.object.data.splinewright.value == wanted
         view.press('Z', ctrl=True)
         yield from redrawn()
@@ -162,7 +161,7 @@ def rebuilt_and_faired(view):
 def presets(view):
     yield from add_patch(view)
     with view.override():
-        bpy.ops.splinewright.patch_raise_degree('INVOKE_DEFAULT', True)
+        bpy.ops.splinewright.raise_degree('INVOKE_DEFAULT', True)
     yield from redrawn()
     last().properties.direction, last().properties.times = 'V', 3
     yield from again(view)
@@ -213,7 +212,7 @@ def names_of_steps(view):
     view = View()
     yield from add_patch(view)
     view.open_sidebar()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     view.move(420, 420)
     yield from redrawn()
     view.press('TAB')

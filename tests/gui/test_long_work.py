@@ -158,7 +158,7 @@ def steps():
     yield from redrawn()
     assert bpy.context.mode == 'EDIT_MESH'
     print("done and undone", flush=True)
-    yield from of_a_curve(view, 'rebuild', {'by': 'TOLERANCE', 'tolerance': 1e-6}, {'by': 'COUNT', 'count': 500})
+    yield from of_a_curve(view, 'rebuild', {'by': 'TOLERANCE', 'tolerance': 1e-6}, {'by': 'COUNT', 'count_u': 500})
     yield from of_a_curve(view, 'add_projected', {'tolerance': 1e-9}, {'tolerance': 0.5})
     yield from of_a_curve(view, 'divide_equally', {'count': 1_000_000, 'make': 'POINTS'}, {'count': 5000, 'make': 'EMPTIES'})
     yield from of_a_large_shape(view)

@@ -31,7 +31,7 @@ def steps():
         bpy.ops.splinewright.add_nurbs_patch('EXEC_DEFAULT', True)
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1044, 537))
+    yield from view.show_tab("NURBS", (1044, 537))
     sidebar = view._region('UI')
     middle, top = sidebar.x + sidebar.width // 2, sidebar.y + sidebar.height
     downwards = [(middle, y) for y in range(top - 20, sidebar.y, -9)]

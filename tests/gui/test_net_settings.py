@@ -34,7 +34,7 @@ def change(view, add, name):
     yield from into_net()
     with view.override():
         select_points(0)
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     ladder = [state(name)]
 
     yield from view.go_to_field("resolution_u")

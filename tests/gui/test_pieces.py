@@ -101,7 +101,7 @@ def a_piece_is_picked(view):
 def a_verb_begins_with_it(view):
     first = teapot().data.splinewright.piece
     with view.override():
-        bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True, neighbors=False)
+        bpy.ops.splinewright.split('INVOKE_DEFAULT', True, neighbors=False)
     assert last().properties.piece == first and count() == 33
     yield from redrawn()
     assert seen_numbers(view) == [], "the panel is closed"
@@ -153,7 +153,7 @@ def operators_begin_with_pieces(view):
     ob.data.materials.append(bpy.data.materials.new("glaze"))
     bpy.ops.ed.undo_push(message="hand")
     for name, setting, expected in (
-            ('patch_raise_degree', 'piece', 3), ('patch_to_nurbs', 'piece', 3), ('patch_insert_knot', 'piece', 3),
+            ('raise_degree', 'piece', 3), ('to_nurbs', 'piece', 3), ('insert_knot', 'piece', 3),
             ('extract_boundary', 'piece', 3), ('extract_isocurve', 'piece', 3), ('set_patch_material', 'piece', 3),
             ('join_patches', 'first', 3), ('join_patches', 'second', 7)):
         with view.override():
@@ -168,7 +168,7 @@ def curves_are_picked(view):
     empty_file()
     with view.override():
         bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True)
-        bpy.ops.splinewright.split_curve('EXEC_DEFAULT', True, where='KNOTS')
+        bpy.ops.splinewright.split('EXEC_DEFAULT', True, where='KNOTS')
         bpy.ops.view3d.view_selected()
     yield from redrawn()
     ob = bpy.context.object

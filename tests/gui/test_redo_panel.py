@@ -47,11 +47,11 @@ def faired(shape, tolerance):
 def steps():
     view = View()
     yield from added(view, bpy.ops.splinewright.add_nurbs_curve)
-    yield from changed(view, 'rebuild', {'count': 5}, {'count': 9}, rebuilt)
+    yield from changed(view, 'rebuild', {'count_u': 5}, {'count_u': 9}, rebuilt)
     yield from changed(view, 'fair', {'tolerance': 0.0625}, {'tolerance': 0.25}, faired)
     yield from added(view, bpy.ops.splinewright.add_nurbs_patch)
-    yield from changed(view, 'patch_rebuild', {'count_u': 5, 'count_v': 6}, {'count_u': 7, 'count_v': 4}, patch_rebuilt)
-    yield from changed(view, 'patch_fair', {'tolerance': 0.0625}, {'tolerance': 0.25}, faired)
+    yield from changed(view, 'rebuild', {'count_u': 5, 'count_v': 6}, {'count_u': 7, 'count_v': 4}, patch_rebuilt)
+    yield from changed(view, 'fair', {'tolerance': 0.0625}, {'tolerance': 0.25}, faired)
 
 
 run(steps())

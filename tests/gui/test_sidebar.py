@@ -114,7 +114,7 @@ def steps():
     view = View()
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     view.move(420, 420)
     for part_of_it in (pictures, following, mending):
         yield from part_of_it(view)

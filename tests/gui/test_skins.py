@@ -91,7 +91,7 @@ def listed(view):
     plain = picture("selected")
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1044, 538))
+    yield from view.show_tab("NURBS", (1044, 538))
     assert mean_difference(picture("list"), plain) > 0.01
 
 

@@ -35,7 +35,7 @@ def teapot(view):
         bpy.ops.splinewright.add_teapot('EXEC_DEFAULT', True)
         bpy.context.space_data.overlay.show_cursor = False
     yield from frame(view)
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     view.move(420, 420)
     view.press('TAB')
     yield from into_net()

@@ -32,6 +32,12 @@ def pick(view, menu, steps_down, name):
     yield from redrawn()
 
 
+def below(menu, operator):
+    """How many entries of a menu stand before an operator."""
+    entries = [entry for entry in getattr(part('ui.menu_table'), menu).entries if entry]
+    return next(i for i, entry in enumerate(entries) if getattr(entry, 'operator', "") == operator)
+
+
 def frame(view):
     with view.override():
         bpy.ops.view3d.view_selected()
@@ -50,14 +56,11 @@ def steps():
     yield from redrawn()
     empty = picture("empty")
 
-    table = part('core.recipes.table')
-    above = 3 + sum(recipe.is_surface for recipe in table.STARTING) + sum(
-        len(recipes) for recipes in (table.FROM_CURVES, table.FROM_BOTH, table.FROM_SURFACES))
-    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", above, "menu")
+    yield from pick(view, "SPLINEWRIGHT_MT_surface_add", below('ADD_SURFACE', 'add_teapot'), "menu")
     ob = bpy.context.object
     assert ob is not None and len(ob.data.splinewright.value) == 32, "the menu entry added no teapot"
     yield from frame(view)
-    yield from view.show_tab("Splinewright", click=(1044, 537))
+    yield from view.show_tab("NURBS", click=(1044, 537))
     view.move(80, 96)               # open the redo panel
     view.press('LEFTMOUSE')
     yield from redrawn()
@@ -77,7 +80,7 @@ def steps():
     bpy.data.objects["Teapot"].hide_set(True)
     view.move(view.region.x + view.region.width // 2, view.region.y + view.region.height - 60)      # the menu is high
     bpy.context.preferences.edit.object_align = 'VIEW'
-    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", 3, "curve-menu")
+    yield from pick(view, "SPLINEWRIGHT_MT_curve_add", below('ADD_CURVE', 'add_nurbs_curve'), "curve-menu")
     ob = bpy.context.object
     assert ob.type == 'CURVE' and ob.name == "NURBS Curve", ob.name
     facing = view.area.spaces.active.region_3d.view_rotation.to_matrix()

@@ -126,7 +126,7 @@ def said(view):
     plain = picture("closed")
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1044, 538))
+    yield from view.show_tab("NURBS", (1044, 538))
     assert mean_difference(picture("panel"), plain) > 0.01
 
 

@@ -33,7 +33,7 @@ def open_ends():
 def sections(view):
     for transforms in SECTIONS:
         before = len(bpy.data.objects)
-        yield from by_keys.add(view, "Curve > Splinewright > Circle")
+        yield from by_keys.add(view, "Curve > NURBS > Circle")
         yield from until(lambda: len(bpy.data.objects) == before + 1, "Shift+A adds a circle")
         NAMES.append(bpy.context.object.name)
         yield from by_keys.keys(view, transforms + " S Y 0.6 Enter")
@@ -44,7 +44,7 @@ def sections(view):
 def lofted(view):
     view.press('A')
     yield from until(lambda: len(bpy.context.selected_objects) == 4, "A selects all")
-    yield from by_keys.add(view, "Surface > Splinewright > Loft")
+    yield from by_keys.add(view, "Surface > NURBS > Surface from Curves > Loft")
     yield from until(lambda: len(bpy.data.objects) == 5, "a loft")
     NAMES.append(bpy.context.object.name)
     with view.override():

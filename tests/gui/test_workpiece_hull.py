@@ -57,7 +57,7 @@ def require_chine():
 def frames(view):
     for place, *points in FRAMES:
         before = len(bpy.data.objects)
-        yield from by_keys.add(view, "Curve > Splinewright > Draw Contour")
+        yield from by_keys.add(view, "Curve > NURBS > Draw > Draw Contour")
         for x, z in points:
             view.move(*view.pixel_of((x, 0, z)))
             yield from redrawn()

@@ -41,7 +41,7 @@ def require_smooth():
 def ribs(view):
     for transforms in RIBS:
         before = len(bpy.data.objects)
-        yield from by_keys.add(view, "Curve > Splinewright > NURBS Curve")
+        yield from by_keys.add(view, "Curve > NURBS > NURBS Curve")
         yield from until(lambda: len(bpy.data.objects) == before + 1, "Shift+A adds a curve")
         NAMES.append(bpy.context.object.name)
         yield from by_keys.keys(view, f"R X 90 Enter {transforms}")
@@ -52,7 +52,7 @@ def mirrored(view):
     yield from by_keys.search(view, "loft")
     yield from until(lambda: len(bpy.data.objects) == 4, "F3 finds Loft")
     NAMES.append(bpy.context.object.name)
-    yield from by_keys.add(view, "Surface > Splinewright > Mirror")
+    yield from by_keys.command(view, "Construction > Mirror")
     yield from until(lambda: len(bpy.data.objects) == 5, "a mirror")
     NAMES.append(bpy.context.object.name)
     with view.override():

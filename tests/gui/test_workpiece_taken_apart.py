@@ -43,12 +43,12 @@ def open_border():
 
 def split(view, **settings):
     with view.override():
-        bpy.ops.splinewright.patch_split('INVOKE_DEFAULT', True, **settings)
+        bpy.ops.splinewright.split('INVOKE_DEFAULT', True, **settings)
     yield from redrawn()
 
 
 def parts(view):
-    yield from by_keys.add(view, "Surface > Splinewright > NURBS Patch")
+    yield from by_keys.add(view, "Surface > NURBS > NURBS Patch")
     yield from until(lambda: len(bpy.data.objects) == 1, "a patch")
     NAMES['patch'] = bpy.context.object.name
     (u0, u1), (v0, v1) = value().domain
@@ -116,7 +116,7 @@ def of_mesh(view):
         bpy.ops.view3d.view_all(center=False)
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     picture("mesh")
     view.area.spaces.active.show_region_ui = False
     yield from redrawn()

@@ -43,12 +43,12 @@ def typed(view, field, text):
 
 
 def ellipse(view):
-    yield from by_keys.add(view, "Curve > Splinewright > Ellipse")
+    yield from by_keys.add(view, "Curve > NURBS > Conic > Ellipse")
     yield from until(lambda: len(bpy.data.objects) == 1, "an ellipse")
     NAMES['section'] = bpy.context.object.name
     view.open_sidebar()
     yield from redrawn()
-    yield from view.show_tab("Splinewright", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 538))
     yield from typed(view, "ellipse_length_0", "0.3")
     yield from until(lambda: abs(width(0) - 0.6) < 1e-5, "half axis a")
     settings().ellipse_length_1 = 0.15
@@ -68,7 +68,7 @@ def settings():
 
 
 def swept(view):
-    yield from by_keys.add(view, "Curve > Splinewright > NURBS Curve")
+    yield from by_keys.add(view, "Curve > NURBS > NURBS Curve")
     yield from until(lambda: len(bpy.data.objects) == 2, "a rail")
     NAMES['rail'] = bpy.context.object.name
     yield from by_keys.search(view, "pipe")

@@ -14,7 +14,7 @@ _AWAY = 1e-3
 #: What is nearer to 0, as a part of the bar, is written as 0.
 _NOTHING = 1e-9
 _STEPS = (Decimal(1), Decimal(2), Decimal(5), Decimal(10))
-ENDS_STAY = "the ends of the domain stay where they are: Reparametrise gives another domain"
+ENDS_STAY = "the ends of the domain stay where they are: Reparameterize gives another domain"
 SEAM_STAYS = "a periodic curve begins at this knot, which stays where it is"
 NO_KNOTS = "a Bezier piece has no knots to move"
 NO_ROOM = "there is no room between the knots beside it"

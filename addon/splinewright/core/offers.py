@@ -18,15 +18,14 @@ def refused(definition):
         'clamp': types <= {'clamped'}, 'make_periodic': types == {'periodic'} and kinds == {'nurbs'},
         'unclamp': types == {'unclamped'} and kinds == {'nurbs'},
         'to_nurbs': kinds == {'nurbs'}, 'to_hermite': kinds == {'hermite'} or describe.is_rational(definition),
-        'to_bezier': kinds == {'bezier'}, 'to_bezier_chain': kinds == {'bezier'},
+        'to_bezier': kinds == {'bezier'},
         'join_pieces': is_one, 'join_ends': is_one, 'join_patches': is_one,
         'standard_form': definition.has_curves and all(_has_unit_ends(definition.pool, piece) for piece in pieces)}
     names = {name for name, is_so in no_work.items() if is_so}
     if definition.has_curves:
         return frozenset(names - {'to_hermite'})            # of conics, within a tolerance
     has_edges = not is_one or bool(creases_of(definition)[0])
-    of_patches = names & {'join_patches'} | ({'add_rounded_edge'} if not has_edges else set())
-    return frozenset({f"patch_{name}" for name in names - {'join_patches'}} | of_patches)
+    return frozenset(names if has_edges else names | {'add_rounded_edge'})
 
 
 def _inner_knots(piece):

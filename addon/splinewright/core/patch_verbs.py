@@ -6,6 +6,7 @@ What a verb is says core.verbs. An axis is 'u' or 'v'; axes are 'u', 'v' or 'uv'
 from functools import partial
 
 from . import parameters, places, shared_knots, verbs
+from .definition import CURVES
 from .failures import Refusal
 from .library import sc
 
@@ -118,9 +119,11 @@ def _total(errors, before, after):
     return min(sum(errors), before.to_nurbs().largest_distance(after.to_nurbs()))
 
 
-def first_parameters(patch, first):
-    """(u, v): what a function of core.parameters finds along each axis."""
-    return tuple(first(Along(patch, axis)) for axis in 'uv')
+def first_parameters(piece, first):
+    """(u, v), or (u,) of a curve: what a function of core.parameters finds along each axis."""
+    if isinstance(piece, CURVES):
+        return (first(piece),)
+    return tuple(first(Along(piece, axis)) for axis in 'uv')
 
 
 # The whole patch -----------------------------------------------------------------------------------

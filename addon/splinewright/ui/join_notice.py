@@ -11,8 +11,8 @@ from ..bridge.file_state import ended_operators, state
 from . import texts
 
 _WIDTH = 60
-_WORDS = ("Blender's Join made plain faces or points of them. Undo brings the definitions back; Ctrl+J, or Join Shapes in "
-          "Object > Splinewright, makes shapes one shape.")
+_WORDS = ("Blender's Join made plain faces or points of them. Undo brings the definitions back; Ctrl+J, or NURBS > "
+          "Join and Separate > Join Shapes, makes shapes one shape.")
 
 
 @persistent

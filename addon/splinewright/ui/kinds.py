@@ -2,10 +2,10 @@
 
 from ..bridge import baking, shape
 
-SHAPES = {'curve', 'patch'}
+SHAPES = frozenset({'curve', 'patch'})
 #: What shapes can be made from.
 FOLLOWED = SHAPES | {'native'}
-ALL = {'curve', 'patch', 'native', 'baked'}
+ALL = FOLLOWED | {'baked'}
 
 
 def of(ob):

@@ -9,7 +9,7 @@ from . import manual, net_panel, recipe_props, settings_panel, texts
 
 
 class _ShapePanel:
-    bl_label = "Splinewright"
+    bl_label = "NURBS Shape"
 
     @staticmethod
     def in_hand(context):
@@ -153,7 +153,7 @@ class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_shape"
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
-    bl_category = "Splinewright"
+    bl_category = "NURBS"
     bl_order = 1
 
 

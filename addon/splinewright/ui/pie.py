@@ -2,29 +2,27 @@
 
 import bpy
 
-from . import editing, hand, tools
+from . import editing, hand, menu_table, offered
 
 #: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
 _CURVE = ("insert_here", "weight_here", "leave_net", "radius_here", "tilt_here", "make_periodic", "point_to_infinity",
           "set_knots")
-_PATCH = ("insert_here", "weight_here", "leave_net", "patch_raise_degree", "patch_split", "patch_make_periodic",
-          "point_to_infinity", "set_knots")
+_PATCH = ("insert_here", "weight_here", "leave_net", "raise_degree", "split", "make_periodic", "point_to_infinity", "set_knots")
 _ICONS = {'leave_net': 'CHECKMARK'}
 
 
 class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
     bl_idname = "SPLINEWRIGHT_MT_pie"
-    bl_label = "Splinewright"
+    bl_label = "NURBS"
 
     def draw(self, context):
         pie = self.layout.menu_pie()
         pie.operator_context = 'INVOKE_REGION_WIN'
         names = _CURVE if isinstance(context.object.data, bpy.types.Curve) else _PATCH
-        refused = tools.refused_by_all(names, hand.shapes(context))
         for name in names:
             row = pie.row()
-            row.enabled = name not in refused
-            row.operator(f"splinewright.{name}", text=tools.text_of(name), icon=_ICONS.get(name, 'NONE'))
+            row.enabled = not offered.is_grey(menu_table.entry_of(name), hand.shapes(context))
+            row.operator(f"splinewright.{name}", text=offered.text_of(name), icon=_ICONS.get(name, 'NONE'))
 
 
 class SPLINEWRIGHT_OT_pie(bpy.types.Operator):

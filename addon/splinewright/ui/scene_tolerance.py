@@ -66,7 +66,7 @@ class SPLINEWRIGHT_PT_tolerance(_TolerancePanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_tolerance"
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
-    bl_category = "Splinewright"
+    bl_category = "NURBS"
     bl_order = 10
 
 

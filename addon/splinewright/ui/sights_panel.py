@@ -12,7 +12,7 @@ _WIDTH = 44
 
 class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_sights"
-    bl_label = "Splinewright"
+    bl_label = "NURBS"
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'HEADER'
     bl_parent_id = "VIEW3D_PT_overlay"

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import editing, kinds, menus, texts, tools
+from . import editing, kinds, menu_table, menus, offered, texts
 
 #: Labels and operators by what is selected.
 _NATIVE = ("Exact", ('make_exact', 'follow_object'))
@@ -17,7 +17,7 @@ _JOIN_MANY = ("Join", ('join',))
 
 
 def groups(obs, active):
-    """What tools.draw_panel() takes, for the selected objects and the active one."""
+    """Pairs of a label and names of operators, for the selected objects and the active one."""
     found = [kinds.of(ob) for ob in obs]
     count = {kind: found.count(kind) for kind in kinds.ALL}
     curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
@@ -45,7 +45,7 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
     bl_label = "Make"
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
-    bl_category = "Splinewright"
+    bl_category = "NURBS"
     bl_order = 0
 
     @classmethod
@@ -59,17 +59,26 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
             return
         layout.operator_context = 'INVOKE_REGION_WIN'
         made = groups(context.selected_objects, context.object)
-        tools.draw_panel(layout, made)
+        _draw_groups(layout, made)
         if not made:
             _draw_add(layout)
+
+
+def _draw_groups(layout, made):
+    for label, names in made:
+        row = layout.split(factor=0.3)
+        row.label(text=label)
+        column = row.column(align=True)
+        for name in names:
+            column.operator(f"splinewright.{name}", text=offered.text_of(name))
 
 
 def _draw_add(layout):
     row = layout.split(factor=0.3)
     row.label(text="Add")
     column = row.column(align=True)
-    column.menu(menus.SPLINEWRIGHT_MT_curve_add.bl_idname, text="Curve", icon='CURVE_DATA')
-    column.menu(menus.SPLINEWRIGHT_MT_surface_add.bl_idname, text="Surface", icon='SURFACE_DATA')
+    menus.draw_link(column, menu_table.ADD_CURVE, text="Curve")
+    menus.draw_link(column, menu_table.ADD_SURFACE, text="Surface")
     column.operator("splinewright.import_json", text="Import", icon='IMPORT')
 
 

@@ -4,6 +4,6 @@
 class SubPanel:
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'UI'
-    bl_category = "Splinewright"
+    bl_category = "NURBS"
     bl_parent_id = "SPLINEWRIGHT_PT_shape"
     bl_options = {'DEFAULT_CLOSED'}

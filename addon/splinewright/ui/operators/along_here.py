@@ -24,6 +24,7 @@ class _Changes(Typing):
     """What both operators do. They say what the mouse and typed numbers mean, and what that does to points."""
 
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
+    works_on_nets = True
 
     @classmethod
     def poll(cls, context):

@@ -8,7 +8,7 @@ from ...core import decimals, meeting, verbs
 from ...core.failures import FAILURES
 from .. import hand
 from . import pieces, polls, reports
-from .curve_verbs import OnCurves
+from .on_shapes import OnCurves
 from .pick_piece import draw_number
 
 _SIDES = (('AUTO', "Longer", "What is longer from where they meet"), ('start', "Start", "The part at its start"),

@@ -15,6 +15,8 @@ from .pointing import Pointing, redraw
 class _OnCurve(ByClick):
     """Only curves are clicked."""
 
+    works_on_nets = False
+
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replacing.is_curve_shape, context.selected_objects)):

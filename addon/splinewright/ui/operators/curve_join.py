@@ -65,7 +65,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_idname = "splinewright.join_pieces"
     bl_label = "Join Pieces"
     bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
-                      "The way back from To Bezier Chain")
+                      "The way back from Convert to Bezier")
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)

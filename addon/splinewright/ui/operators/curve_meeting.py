@@ -8,7 +8,7 @@ from bpy.props import EnumProperty, FloatProperty
 from ...bridge import beside, replacing
 from ...core import decimals, meeting, verbs
 from . import pieces
-from .curve_verbs import OnCurves
+from .on_shapes import OnCurves
 from .pieces import parameter_property
 
 _WITH = (('VISIBLE', "All Visible", "All curves that are shown, and its own other pieces"),

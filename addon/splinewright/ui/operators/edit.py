@@ -37,6 +37,7 @@ class _OnNets:
     """Works on the nets in Edit Mode."""
 
     bl_options = {'REGISTER', 'UNDO'}
+    works_on_nets = True
 
     @classmethod
     def poll(cls, context):

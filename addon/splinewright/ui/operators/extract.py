@@ -7,7 +7,7 @@ from ...bridge import extracting
 from ...core import patch_curves
 from . import reports
 from .adding import Repeatable, can_add
-from .patch_verbs import AtParameters, OnPatches, direction_property
+from .on_shapes import AtParameters, OnPatches, direction_property
 
 
 class _Extract(Repeatable, OnPatches):

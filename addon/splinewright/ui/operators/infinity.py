@@ -14,6 +14,7 @@ class _OnSelectedPoints:
     """Changes the rows of the pool behind the selected points of the nets in Edit Mode: of all shapes, or of none."""
 
     bl_options = {'REGISTER', 'UNDO'}
+    works_on_nets = True
 
     @staticmethod
     def changed(definition, rows):

@@ -21,6 +21,7 @@ class ByClick:
     """What is at the mouse is shown until it is clicked, or called off."""
 
     bl_options = {'REGISTER'}
+    works_on_nets = True
     #: What lies at the mouse, and what a click does with it.
     thing, does = "", ""
 
@@ -136,7 +137,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
 
     @staticmethod
     def clicked(aimed):
-        return _done_at(aimed, bpy.ops.splinewright.split_curve, bpy.ops.splinewright.patch_split, where='PARAMETER')
+        return _done_at(aimed, bpy.ops.splinewright.split, where='PARAMETER')
 
 
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
@@ -144,6 +145,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_label = "Extract Isocurve by Click"
     bl_description = "Click the patch where a curve is to be taken off it: a shape of its own, exact"
     thing, does = "Isocurve", "extract"
+    works_on_nets = False
 
     @classmethod
     def poll(cls, context):
@@ -156,7 +158,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     def clicked(aimed):
         if len(aimed.parameters) == 1:
             return {'CANCELLED'}        # a curve is one already
-        return _done_at(aimed, None, bpy.ops.splinewright.extract_isocurve)
+        return _done_at(aimed, bpy.ops.splinewright.extract_isocurve)
 
 
 def is_possible(context):
@@ -206,16 +208,15 @@ def _status(aimed, thing, does):
 
 
 def _insert(aimed):
-    return _done_at(aimed, bpy.ops.splinewright.insert_knot, bpy.ops.splinewright.patch_insert_knot, where='PARAMETER', times=1)
+    return _done_at(aimed, bpy.ops.splinewright.insert_knot, where='PARAMETER', times=1)
 
 
-def _done_at(aimed, to_curve, to_patch, **settings):
+def _done_at(aimed, operator, **settings):
     """By the operator whose panel then has the numbers."""
-    settings.update(only=aimed.name, piece=aimed.number)
-    if len(aimed.parameters) == 1:
-        return to_curve('EXEC_DEFAULT', True, parameter=aimed.parameters[0], **settings)
-    u, v = aimed.parameters
-    return to_patch('EXEC_DEFAULT', True, direction=aimed.direction, parameter_u=u, parameter_v=v, **settings)
+    settings.update(zip(('parameter_u', 'parameter_v'), aimed.parameters))
+    if len(aimed.parameters) == 2:
+        settings['direction'] = aimed.direction
+    return operator('EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, **settings)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)

@@ -14,6 +14,7 @@ class _OnPoints:
     """Works on points of shapes by their rows: of all shapes that can, and tells of the others."""
 
     bl_options = {'REGISTER', 'UNDO'}
+    works_on_nets = True
 
     points: EnumProperty(name="Points", description="Which control points", options={'SKIP_SAVE'}, items=(
         ('SELECTED', "Selected", "Those that are selected in the net; in Object Mode all"), ('ALL', "All", "All of them")))

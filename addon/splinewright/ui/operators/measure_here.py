@@ -17,6 +17,7 @@ class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
     bl_description = ("Show parameters, point, directions, curvatures and torsion of a shape at the mouse; a click takes the place "
                       "into the panel Measure, which has all of it")
     bl_options = {'UNDO'}
+    works_on_nets = True
 
     hint = "Point at a shape to measure it   |   Click: take the place into the panel   |   Esc, Right Mouse: Cancel"
 

@@ -137,8 +137,12 @@ class OnPieces(OnSelected):
     def _count_holding(self, context):
         return sum(len(held.known(ob.data)) for ob in self.chosen(context))
 
+    def verb_of(self, ob):
+        """The verb for a shape."""
+        return self.verb()
+
     def work(self, context, ob):
-        return self.do(ob, self.verb())
+        return self.do(ob, self.verb_of(ob))
 
     def do(self, ob, verb):
         """Do a verb with the piece of a shape, or with all; the definition before and the verbs.Changed."""
@@ -165,23 +169,28 @@ class OnPieces(OnSelected):
     def draw(self, context):
         self.layout.use_property_split = True
         self.draw_result()
+        labels = self.labels()
         for name in self.settings():
             if name in self.expanded:
                 self.layout.row().prop(self, name, expand=True)
             else:
-                self.layout.prop(self, name)
+                self.layout.prop(self, name, **({'text': labels[name]} if name in labels else {}))
         draw_number(self.layout, self, 'piece')
+
+    def labels(self):
+        """{name of a setting: what it is called here}, where that is not its own name."""
+        return {}
 
 
 class LongOnPieces(LongWork, OnPieces):
     """OnPieces whose verb may take long."""
 
-    def verb_with(self):
-        """A function that gives verb() for a `cancel` as the library takes it."""
+    def verb_with(self, ob):
+        """A function that gives verb_of() for a `cancel` as the library takes it."""
         raise NotImplementedError
 
-    def verb(self):
-        return self.verb_with()(None)
+    def verb_of(self, ob):
+        return self.verb_with(ob)(None)
 
     def invoke(self, context, event):
         return OnPieces.invoke(self, context, event)
@@ -190,7 +199,7 @@ class LongOnPieces(LongWork, OnPieces):
         return {ob.name: self._task(ob, replacing.read(ob.data)) for ob in self.chosen(context) if replacing.can_change(ob.data)}
 
     def _task(self, ob, before):
-        verb_with, number, already = self.verb_with(), self.piece, self.already
+        verb_with, number, already = self.verb_with(ob), self.piece, self.already
         return lambda cancel: verbs.changed(before, number, verb_with(cancel), already)
 
     def work(self, context, ob):
@@ -280,7 +289,7 @@ class WithinTolerance:
         return ['limited', 'tolerance'] if self.limited else ['limited']
 
 
-class Reparametrises:
+class Reparameterizes:
     """Another domain, or a Moebius map of the parameter."""
 
     how: EnumProperty(name="How", items=(
@@ -299,10 +308,3 @@ class Reparametrises:
     def change(self):
         """The verb of core.verbs."""
         return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)
-
-
-def plain(base, name, label, description, done, already, verb):
-    """The operator of a verb without settings."""
-    members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'done': done,
-               'already': already, 'verb': lambda self: verb(), 'bl_options': OnSelected.bl_options, '__annotations__': {}}
-    return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)

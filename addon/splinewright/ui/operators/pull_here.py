@@ -41,6 +41,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     bl_description = ("Take hold of any point of a curve or patch and pull: it goes where it is pulled to, and the "
                       "control points follow with the least change")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    works_on_nets = True
 
     shape_name: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
     piece: IntProperty(name="Piece", description="Which piece of the shape, counted from 1", default=1, min=1,

@@ -20,6 +20,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     bl_label = "Edit Knots"
     bl_description = "Give a piece of the shape other knots; of a Hermite piece, other parameters"
     bl_options = {'REGISTER', 'UNDO'}
+    works_on_nets = True
 
     piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
                        options={'SKIP_SAVE'})

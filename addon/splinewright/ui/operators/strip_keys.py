@@ -58,11 +58,9 @@ class SPLINEWRIGHT_OT_remove_on_strip(_OnStrip, bpy.types.Operator):
 
 def _called(name, hit, **settings):
     """The verb of that name for what the strip shows, along its axis."""
-    settings.update(only=hit.shown.ob.name, piece=hit.shown.number)
-    if not hit.bar.name:
-        return getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True, parameter=hit.value, **settings)
-    settings.update({f"parameter_{hit.bar.name}": hit.value, 'direction': hit.bar.name.upper()})
-    return getattr(bpy.ops.splinewright, f"patch_{name}")('INVOKE_DEFAULT', True, **settings)
+    axis = hit.bar.name or "u"
+    settings.update({'only': hit.shown.ob.name, 'piece': hit.shown.number, 'direction': axis.upper(), f"parameter_{axis}": hit.value})
+    return getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True, **settings)
 
 
 def _require_nameable(hit):
@@ -71,7 +69,7 @@ def _require_nameable(hit):
     piece = verbs.pieces_of(store.read(hit.shown.ob.data))[hit.shown.number - 1]
     axis = patch_verbs.Along(piece, hit.bar.name) if hit.bar.name else piece
     if parameters.snapped(decimals.single(hit.value), parameters.knots_of(axis)) != hit.value:
-        raise Refusal("these parameters cannot be told apart in single precision: Reparametrise first")
+        raise Refusal("these parameters cannot be told apart in single precision: Reparameterize first")
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_on_strip, SPLINEWRIGHT_OT_remove_on_strip)

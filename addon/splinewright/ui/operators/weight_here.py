@@ -28,6 +28,7 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
     bl_description = ("Change the weights of the selected control points by moving the mouse sideways, or type a number; above "
                       "1 pulls the shape nearer, below 0 pushes it away")
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
+    works_on_nets = True
 
     kind: EnumProperty(name="Change", description="What becomes of the weights", options={'SKIP_SAVE'}, items=(
         ('SET', "Set", "All get one weight"), ('SCALE', "Scale", "All are multiplied by one number")))

@@ -1,0 +1,165 @@
+"""All our menus: their entries, and which kinds of selected objects an entry concerns. menus.py shows them.
+
+Where a menu belongs in Blender says menus.py, too. An operator stands in one menu.
+"""
+
+from typing import NamedTuple
+
+from . import kinds
+
+CURVE, PATCH, NATIVE, BAKED = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked'))
+SHAPES, FOLLOWED = kinds.SHAPES, kinds.FOLLOWED
+CURVES, SURFACES = CURVE | NATIVE, PATCH | NATIVE
+#: Whatever is selected.
+ANY = None
+
+
+class Entry(NamedTuple):
+    """An operator. concerns: the kinds of objects, of ui.kinds; changes: whether it changes what shapes are, so that it is grey
+    where that is not to be changed."""
+
+    operator: str
+    concerns: frozenset = SHAPES
+    icon: str = 'NONE'
+    changes: bool = False
+
+
+class Menu(NamedTuple):
+    """entries: Entry, Menu, or None for a line between groups."""
+
+    name: str
+    label: str
+    entries: tuple
+    icon: str = 'NONE'
+
+    @property
+    def idname(self):
+        return f"SPLINEWRIGHT_MT_{self.name}"
+
+
+def _verbs(concerns, *names):
+    return tuple(Entry(name, concerns, changes=True) for name in names)
+
+
+def _others(concerns, *names):
+    return tuple(Entry(name, concerns) for name in names)
+
+
+def _made(concerns, *kinds_and_icons):
+    """What is made of objects and follows them."""
+    return tuple(Entry(f"add_{kind}", concerns, icon) for kind, icon in kinds_and_icons)
+
+
+def _from_numbers(icon, *names):
+    return tuple(Entry(f"add_{name}", ANY, icon) for name in names)
+
+
+# Objects and nets ---------------------------------------------------------------------------------
+
+KNOTS = Menu('knots', "Knots", (
+    *_verbs(SHAPES, 'insert_knot', 'remove_knot', 'remove_knots'), *_others(SHAPES, 'set_knots'), None, *_verbs(SHAPES, 'clamp', 'unclamp')))
+DEGREE = Menu('degree', "Degree", _verbs(SHAPES, 'raise_degree', 'lower_degree'))
+PARAMETER = Menu('parameter', "Parameter", (
+    *_verbs(SHAPES, 'reparameterize'), *_verbs(CURVE, 'standard_form', 'project_curve')))
+MODIFY = Menu('modify', "Modify", (
+    KNOTS, DEGREE, PARAMETER, None,
+    *_verbs(SHAPES, 'rebuild', 'fair', 'make_periodic'), *_others(SHAPES, 'make_deformable'), None,
+    *_verbs(SHAPES, 'reverse'), *_verbs(PATCH, 'swap_uv'), None,
+    *_verbs(SHAPES, 'split'), *_verbs(CURVE, 'split_where_met')), 'MODIFIER')
+CORNERS = Menu('corners', "Trim and Corners", (
+    *_verbs(CURVE, 'trim_curve', 'extend_curve'), None,
+    *_verbs(CURVE, 'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')), 'SNAP_MIDPOINT')
+PIECES = Menu('pieces', "Join and Separate", (
+    *_others(SHAPES, 'join'), *_verbs(CURVE, 'join_ends', 'join_pieces', 'join_curves'), *_verbs(PATCH, 'join_patches'), None,
+    *_others(SHAPES, 'separate_pieces', 'delete_pieces', 'explode')), 'AUTOMERGE_ON')
+BY_CLICK = Menu('by_click', "By Click", (
+    *_others(SHAPES, 'insert_here', 'split_here', 'pull_here'), None,
+    *_others(CURVE, 'trim_here', 'extend_here', 'fillet_here', 'chamfer_here'),
+    *_others(PATCH, 'join_here', 'extract_here', 'extract_side_here', 'round_here'), None,
+    *_others(SHAPES, 'measure_here', 'pick_piece')), 'EYEDROPPER')
+CONVERT = Menu('convert', "Convert", (
+    *_others(NATIVE, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
+    'FILE_REFRESH')
+
+FROM_OBJECTS = Menu('curve_from_objects', "Curve from Objects", (
+    *_made(CURVES, ('offset', 'MOD_OFFSET'), ('blend', 'MOD_SMOOTH'), ('about', 'FORCE_VORTEX')),
+    *_others(CURVE, 'add_touching_circle', 'intersections'), None,
+    *_made(FOLLOWED, ('projected', 'MOD_SHRINKWRAP'), ('on_patch', 'UV')), None,
+    *_made(SURFACES, ('section', 'MOD_BOOLEAN'), ('planes', 'MOD_ARRAY')), *_others(PATCH, 'extract_isocurve', 'extract_boundary')),
+    'CURVE_DATA')
+FROM_CURVES = Menu('surface_from_curves', "Surface from Curves", _made(
+    CURVES, ('extrude', 'MOD_SOLIDIFY'), ('revolve', 'MOD_SCREW'), ('ruled', 'MOD_LATTICE'), ('loft', 'MOD_ARRAY'),
+    ('sweep', 'CURVE_PATH'), ('two_rails', 'CURVE_PATH'), ('pipe', 'META_CAPSULE'), ('network', 'MOD_LATTICE'),
+    ('filling', 'MESH_GRID')), 'MOD_LATTICE')
+FROM_SURFACES = Menu('surface_from_surfaces', "Surface from Surfaces", (
+    *_made(SURFACES, ('surface_blend', 'MOD_SMOOTH'), ('matched', 'SNAP_EDGE'), ('rounded_edge', 'MOD_BEVEL'), ('offset_surface', 'MOD_OFFSET'),
+           ('thickened', 'MOD_SOLIDIFY'), ('extended_surface', 'MOD_EDGESPLIT')),
+    *_others(PATCH, 'cap'), *_made(ANY, ('of_mesh', 'MOD_SUBSURF'))), 'MOD_SOLIDIFY')
+
+POINTS = Menu('points', "Points", (
+    *_others(FOLLOWED, 'curve_through_points', 'fit_curve'), *_others(CURVE, 'divide_equally'), *_others(SHAPES, 'project_points')),
+    'SNAP_VERTEX')
+CONSTRUCTION = Menu('construction', "Construction", (
+    Entry('follow_object', FOLLOWED, 'LINKED'), *_made(FOLLOWED, ('mirror', 'MOD_MIRROR')), *_others(SHAPES, 'edit_source', 'make_editable'), None,
+    *_others(SHAPES, 'restore', 'detach', 'apply_transform', 'adopt_transform')), 'LINKED')
+ANIMATION = Menu('animation', "Animation", (
+    Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
+TEACHING = Menu('teaching', "Teaching", (
+    *_made(CURVE, ('basis', 'NONE'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas')), 'HELP')
+
+#: In the header and in the context menu, in Object Mode.
+OBJECT = Menu('object', "NURBS", (
+    Entry('edit_net', icon='EDITMODE_HLT'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
+    FROM_OBJECTS, FROM_CURVES, FROM_SURFACES, POINTS, None, CONSTRUCTION, ANIMATION, TEACHING), 'SURFACE_DATA')
+#: The same while nets are edited.
+NET = Menu('net', "NURBS", (
+    Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
+    *_others(SHAPES, 'weight_here'), *_others(CURVE, 'radius_here', 'tilt_here'),
+    Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION), 'SURFACE_DATA')
+
+# Add ----------------------------------------------------------------------------------------------
+
+DRAW = Menu('draw', "Draw", tuple(Entry(name, ANY, 'GREASEPENCIL') for name in ('draw_curve', 'draw_contour', 'draw_on_surface')),
+            'GREASEPENCIL')
+THROUGH = Menu('through_points', "Through Points", (
+    *_from_numbers('SNAP_VERTEX', 'interpolating', 'approximating', 'catmull_rom', 'kochanek_bartels', 'polynomial', 'osculating'), None,
+    *_others(ANY, 'contour_through_points')), 'SNAP_VERTEX')
+CONICS = Menu('conics', "Conic", (
+    *_from_numbers('MESH_CIRCLE', 'ellipse', 'parabola', 'hyperbola'), *_from_numbers('SPHERECURVE', 'arc_by_points'), None,
+    *_from_numbers('CURVE_DATA', 'conic', 'foci', 'five_points', 'equation')), 'MESH_CIRCLE')
+FORMULAS = Menu('mathematical', "Mathematical", (
+    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula')), 'FILE_TEXT')
+ADD_CURVE = Menu('curve_add', "NURBS", (
+    Entry('add_line', ANY, 'IPO_LINEAR'), Entry('add_bezier_curve', ANY, 'CURVE_BEZCURVE'),
+    Entry('add_bezier_chain', ANY, 'CURVE_PATH'), Entry('add_hermite_curve', ANY, 'CURVE_DATA'),
+    Entry('add_nurbs_curve', ANY, 'CURVE_NCURVE'), Entry('add_circle', ANY, 'MESH_CIRCLE'), Entry('add_arc', ANY, 'SPHERECURVE'),
+    Entry('add_contour', ANY, 'MESH_PLANE'), None, DRAW, THROUGH, CONICS, FORMULAS), 'CURVE_DATA')
+ADD_SURFACE = Menu('surface_add', "NURBS", (
+    Entry('add_bezier_patch', ANY, 'MESH_GRID'), Entry('add_hermite_patch', ANY, 'SURFACE_NSURFACE'),
+    Entry('add_nurbs_patch', ANY, 'SURFACE_DATA'), None,
+    Entry('add_plane', ANY, 'MESH_PLANE'), Entry('add_cylinder', ANY, 'MESH_CYLINDER'), Entry('add_cone', ANY, 'MESH_CONE'),
+    Entry('add_sphere', ANY, 'MESH_UVSPHERE'), Entry('add_torus', ANY, 'MESH_TORUS'),
+    Entry('add_surface_formula', ANY, 'FILE_TEXT'), Entry('add_teapot', ANY, 'MESH_UVSPHERE'), None,
+    FROM_CURVES, FROM_SURFACES), 'SURFACE_DATA')
+
+#: What menus of Blender's begin with.
+TOPS = (OBJECT, NET, ADD_CURVE, ADD_SURFACE)
+
+
+def menus_in(menu):
+    """A menu and all below it."""
+    return [menu, *(below for entry in menu.entries if isinstance(entry, Menu) for below in menus_in(entry))]
+
+
+def operators_in(menu):
+    """The entries of a menu and of all below it."""
+    return [entry for below in menus_in(menu) for entry in below.entries if isinstance(entry, Entry)]
+
+
+def entry_of(operator):
+    """The entry of an operator, of the menus of objects and of nets."""
+    return next(entry for top in (NET, OBJECT) for entry in operators_in(top) if entry.operator == operator)
+
+
+#: Each menu once.
+MENUS = tuple(dict.fromkeys(below for top in TOPS for below in menus_in(top)))
