@@ -6,7 +6,7 @@ import pytest
 import shapes
 from curves import run
 from patches import value_of
-from shapes import OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
+from shapes import OF_CURVES, OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
 from support import part, scene_state, splinecore as sc
 
 extract, store = part('ui.operators.extract'), part('bridge.store')
@@ -137,8 +137,10 @@ def test_an_operator_wants_a_selected_patch_shape_or_its_net(name):
     operator = getattr(bpy.ops.splinewright, name)
     assert not operator.poll()
     add(sc.BezierCurve(shapes.points(3)))
-    assert not operator.poll()
-    with pytest.raises(RuntimeError, match="Select a patch shape"):
+    takes_curves = name in names_of(OF_CURVES)
+    assert operator.poll() == takes_curves
+    bpy.context.object.select_set(False)
+    with pytest.raises(RuntimeError, match="Select a curve or surface shape" if takes_curves else "Select a patch shape"):
         operator()
     bpy.ops.mesh.primitive_cube_add()
     assert not operator.poll()

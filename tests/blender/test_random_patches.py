@@ -11,7 +11,7 @@ mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
     'bridge.mesh_layers', 'ui.seams_overlay', 'bridge.shape', 'bridge.store', 'bridge.surveys'))
 VERBS = names_of(OF_PATCHES)
 KINDS = (*MORE, 'bezier patch', 'hermite patch', 'nurbs patch', 'mixed set')
-STEPS = 300
+STEPS = 400
 
 
 class PatchWalk(Walk):

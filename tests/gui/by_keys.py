@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import bpy
 
-from window import View, empty_file, redrawn, until
+from window import View, empty_file, part, redrawn, until
 
 KEYS = {**{str(i): name for i, name in enumerate(('ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE'))},
         '.': 'PERIOD', '-': 'MINUS', ' ': 'SPACE'}
