@@ -170,13 +170,31 @@ def test_patches_that_share_a_border_stay_together_and_the_seam_holds(is_net):
     require_exact(shape())
 
 
+def clicked(aimed, name='insert_here'):
+    """(what Insert Knot by Click or another one returns for a click, what it reports)."""
+    cls, said = getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), []
+    own = {key: vars(base)[key] for base in cls.__mro__[::-1] for key in ('clicked', 'done_at') if key in vars(base)}
+    stand_in = type("Clicked", (), {**own, 'report': lambda self, kind, text: said.append((kind, text))})()
+    return stand_in.clicked(aimed), said
+
+
+def test_what_is_refused_at_a_click_is_a_report_and_no_traceback():
+    curve = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 1, 1, 1], np.random.default_rng(1).normal(size=(4, 3)))
+    ob = add(curve, "one")
+    before = ob.data.splinewright.value
+    for name, word in (('insert_here', "multiplicity"), ('split_here', "u = 0")):
+        result, said = clicked(part('ui.aim_overlay').Aim("one", 1, (0.0,), 'U'), name)
+        assert result == {'CANCELLED'} and said[0][0] == {'ERROR'} and word in said[0][1] and "Traceback" not in said[0][1]
+        assert ob.data.splinewright.value == before
+
+
 def test_of_two_selected_shapes_one_gets_a_knot_where_it_is_meant_alone():
     """insert_here and the strip mean the shape at the mouse."""
     one, other = add(value_of('nurbs'), "one"), add(value_of('uniform'), "other")
     activate(one, other)
     before = {ob.name: ob.data.splinewright.value for ob in (one, other)}
-    insert_here, aim = part('ui.operators.insert_here'), part('ui.aim_overlay').Aim
-    assert insert_here._insert(aim("one", 1, (0.15,), 'U')) == {'FINISHED'}
+    aim = part('ui.aim_overlay').Aim
+    assert clicked(aim("one", 1, (0.15,), 'U'))[0] == {'FINISHED'}
     after = {name: bpy.data.objects[name].data.splinewright.value for name in before}
     assert len(after["one"].points) == len(before["one"].points) + 1 and after["other"] == before["other"]
     with pytest.raises(RuntimeError, match="none of these is not selected"):

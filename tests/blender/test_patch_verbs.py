@@ -195,7 +195,7 @@ def test_a_rebuilt_patch_is_the_librarys_and_its_error_is_said(kind, settings, s
     ob = add(before)
     assert run('rebuild', **settings) == {'FINISHED'}
     after = ob.data.splinewright.value
-    counts = settings.get('count_u', 8), settings.get('count_v', 8)
+    counts = settings.get('count_u', 10), settings.get('count_v', 10)
     assert after == before.rebuild(counts, (settings.get('degree_u', 3), 3)).value and after.points.shape[:2] == counts
     error = measured(before, after)
     assert error < 1e-12 or 0.9 * error < said_distance(said[0]) < 1.2 * error

@@ -101,7 +101,7 @@ def results_of_changes(view):
         last().properties.times = times
         yield from again(view)
         reports = yield from said(view)
-        assert reports.endswith(f"\nRaised the degree of NURBS Patch: 30 points became {count}\n"), reports
+        assert reports.endswith(f"\nElevated the degree of NURBS Patch: 30 points became {count}\n"), reports
     last().properties.times = 1
     last().properties.piece = 4
     yield from again(view)

@@ -6,7 +6,7 @@ from ...bridge import replacing
 from ...bridge.file_state import state
 from ...core.failures import FAILURES
 from .. import hand, picking
-from . import polls
+from . import polls, reports
 from .pointing import Pointing, redraw
 
 
@@ -83,8 +83,8 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 
     def done(self, context, picked):
         first, second = sorted(picked, key=lambda one: one[0] != context.object)
-        return bpy.ops.splinewright.join_patches(
-            'EXEC_DEFAULT', True, first=first[1], first_side=first[2], second=second[1], second_side=second[2])
+        return reports.called(
+            self, bpy.ops.splinewright.join_patches, first=first[1], first_side=first[2], second=second[1], second_side=second[2])
 
 
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
@@ -105,7 +105,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
 
     def done(self, context, picked):
         (ob, number, side), = picked
-        return bpy.ops.splinewright.extract_boundary('EXEC_DEFAULT', True, only=ob.name, piece=number, side=side.upper())
+        return reports.called(self, bpy.ops.splinewright.extract_boundary, only=ob.name, piece=number, side=side.upper())
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_here, SPLINEWRIGHT_OT_extract_side_here)

@@ -60,17 +60,13 @@ class _OnCurve(ByClick):
         """(n, 3) of what a click would take or add, or None. curves: the pieces, and all that they may meet."""
         raise NotImplementedError
 
-    @classmethod
-    def clicked(cls, aimed):
+    def clicked(self, aimed):
         if len(aimed.parameters) != 1:
             return {'CANCELLED'}        # a patch is no curve
         ob = bpy.data.objects[aimed.name]
         domain = surveys.pieces_of(ob.data)[aimed.number - 1].domain
-        operator, settings = cls.operator(aimed.parameters[0], domain)
-        try:
-            return operator('EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, **settings)
-        except RuntimeError:
-            return {'CANCELLED'}        # it has said why
+        operator, settings = self.operator(aimed.parameters[0], domain)
+        return reports.called(self, operator, only=aimed.name, piece=aimed.number, **settings)
 
 
 class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
@@ -154,11 +150,8 @@ class _PicksCurves(Pointing):
             return {'RUNNING_MODAL'}
         first, second = sorted(self._picked, key=lambda one: one[0] != context.object)
         self.cancel(context)
-        try:
-            return self.operator()('EXEC_DEFAULT', True, first=first[1], second=second[1], picked=True,
-                                   first_at=first[2][0], second_at=second[2][0])
-        except RuntimeError as error:
-            return reports.stopped(self, str(error).removeprefix("Error: ").strip())
+        return reports.called(self, self.operator(), first=first[1], second=second[1], picked=True,
+                              first_at=first[2][0], second_at=second[2][0])
 
 
 class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):

@@ -28,8 +28,7 @@ class ByClick:
     direction: EnumProperty(name="Along", description="Along which direction of a patch", options={'SKIP_SAVE'}, items=(
         ('U', "U", "At one u"), ('V', "V", "At one v"), ('BOTH', "Both", "At both")))
 
-    @staticmethod
-    def clicked(aimed):
+    def clicked(self, aimed):
         """Do it at an Aim, by the operator whose panel then has the numbers."""
         raise NotImplementedError
 
@@ -71,6 +70,13 @@ class ByClick:
         aimed = state.aimed
         self.cancel(context)
         return self.clicked(aimed)
+
+    def done_at(self, aimed, operator, **settings):
+        """Do it by another operator."""
+        settings.update(zip(('parameter_u', 'parameter_v'), aimed.parameters))
+        if len(aimed.parameters) == 2:
+            settings['direction'] = aimed.direction
+        return reports.called(self, operator, only=aimed.name, piece=aimed.number, **settings)
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
@@ -124,9 +130,8 @@ class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
         problem = editing.unread(editing.nets_in_edit_mode(context))
         return reports.cancelled(self, problem) if problem else self.clicked(aimed)
 
-    @staticmethod
-    def clicked(aimed):
-        return _insert(aimed)
+    def clicked(self, aimed):
+        return self.done_at(aimed, bpy.ops.splinewright.insert_knot, where='PARAMETER', times=1)
 
 
 class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
@@ -135,9 +140,8 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
     bl_description = "Click the curve or patch where it is to part in two; both go on as they were"
     thing, does = "Cut", "split"
 
-    @staticmethod
-    def clicked(aimed):
-        return _done_at(aimed, bpy.ops.splinewright.split, where='PARAMETER')
+    def clicked(self, aimed):
+        return self.done_at(aimed, bpy.ops.splinewright.split, where='PARAMETER')
 
 
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
@@ -154,11 +158,10 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
             return False
         return super().poll(context)
 
-    @staticmethod
-    def clicked(aimed):
+    def clicked(self, aimed):
         if len(aimed.parameters) == 1:
             return {'CANCELLED'}        # a curve is one already
-        return _done_at(aimed, bpy.ops.splinewright.extract_isocurve)
+        return self.done_at(aimed, bpy.ops.splinewright.extract_isocurve)
 
 
 def is_possible(context):
@@ -205,18 +208,6 @@ def _status(aimed, thing, does):
     numbers = ", ".join(f"{name} = {value:.4g}" for name, value in zip("uv", aimed.parameters) if name in names)
     wheel = "   |   Wheel: along u, v, both" if len(aimed.parameters) == 2 else ""
     return f"{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
-
-
-def _insert(aimed):
-    return _done_at(aimed, bpy.ops.splinewright.insert_knot, where='PARAMETER', times=1)
-
-
-def _done_at(aimed, operator, **settings):
-    """By the operator whose panel then has the numbers."""
-    settings.update(zip(('parameter_u', 'parameter_v'), aimed.parameters))
-    if len(aimed.parameters) == 2:
-        settings['direction'] = aimed.direction
-    return operator('EXEC_DEFAULT', True, only=aimed.name, piece=aimed.number, **settings)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from ...bridge.file_state import state
-from ...core.failures import sentence
+from ...core.failures import FAILURES, blenders_refusals, sentence
 
 #: Texts of one kind that are said; of others only how many there are.
 _MOST = 3
@@ -44,6 +44,16 @@ def stopped(operator, text):
 def failed(operator, error, name=""):
     """cancelled() for an exception, of the object of this name if it is one object's."""
     return cancelled(operator, named(name, sentence(error)) if name else sentence(error))
+
+
+def called(operator, other, **settings):
+    """Call another operator as a part of one, with an undo step. What it refuses is reported. Returns what the operator's execute()
+    returns."""
+    try:
+        with blenders_refusals():
+            return other('EXEC_DEFAULT', True, **settings)
+    except FAILURES as error:
+        return failed(operator, error)
 
 
 def named(name, text):
