@@ -30,6 +30,12 @@ def cube():
     return bpy.context.object
 
 
+def text():
+    bpy.ops.object.text_add()
+    bpy.context.object.data.body = "Oi"
+    return bpy.context.object
+
+
 STATES = {
     'nothing': ((), set()),
     'a cube': ((cube,), set()),
@@ -44,6 +50,7 @@ STATES = {
     'a curve and a patch': ((patch, curve), set()),
     'a curve and one of Blender': ((native_curve, curve), {'make_exact', 'follow_object', 'add_ruled', 'add_loft', 'add_sweep'}),
     'a curve and a cube': ((cube, curve), {'add_revolve', 'add_extrude', 'add_pipe'}),
+    'a text': ((text,), {'make_exact'}),
 }
 OFFERED = [(state, name) for state, (_, names) in STATES.items() for name in sorted(names)]
 

@@ -13,6 +13,7 @@ _GROUPS = (
     ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'join_curves', 'reverse')),
     ("Corners", ('fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')),
     ("Meet", ('trim_curve', 'extend_curve', 'split_where_met')),
+    ("Beside", ('add_offset',)),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
     ("Place", ('project_curve',)),

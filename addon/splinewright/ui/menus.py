@@ -118,7 +118,7 @@ def _draw_convert(self, context):
     found = kinds.selected(context)
     if found:
         self.layout.separator()
-    if 'native' in found:
+    if kinds.INEXACT & found:
         self.layout.operator("splinewright.make_exact", text="Splinewright: Make Exact")
     if any(map(read_polygons.is_mesh, context.selected_objects)):
         self.layout.operator("splinewright.add_of_mesh", text="Splinewright: NURBS of Mesh")
@@ -180,7 +180,7 @@ _ENTRIES = (
      ('set_knots', kinds.SHAPES), ('pick_piece', kinds.SHAPES),
      ('key_points', kinds.SHAPES), ('clear_point_keys', kinds.SHAPES),
      (curve_tools.SPLINEWRIGHT_MT_curve, {'curve'}), (patch_tools.SPLINEWRIGHT_MT_patch, {'patch'})),
-    (('make_exact', {'native'}), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
+    (('make_exact', kinds.INEXACT), ('to_native', kinds.SHAPES), ('follow_object', kinds.SHAPES | {'native'}),
      ('make_editable', kinds.SHAPES), ('bake_animation', kinds.SHAPES), ('unbake', {'baked'})),
     ((SPLINEWRIGHT_MT_from_curves, {'curve', 'native'}), (SPLINEWRIGHT_MT_from_surfaces, {'patch', 'native'}),
      *((f"add_{recipe.kind}", kinds.FOLLOWED) for recipe in FROM_BOTH), (SPLINEWRIGHT_MT_meeting, kinds.FOLLOWED), ('curve_through_points', kinds.ALL), ('fit_curve', kinds.ALL), ('divide_equally', {'curve'}), ('project_points', kinds.SHAPES),

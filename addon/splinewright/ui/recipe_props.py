@@ -3,6 +3,8 @@
 Numbers are kept in float64 beside the definition; properties only show and change them.
 """
 
+from functools import partial
+
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
@@ -141,7 +143,7 @@ def draw(layout, data, is_net_out=False):
         row = column.row(align=True)
         row.enabled = not is_net_out
         row.prop(parameters.of(data), _length_name(recipe, i))
-    for parameter in recipe.parameters:
+    for parameter in recipe.counting(parameters.of(data), partial(parameters.name_of, recipe)):
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
         if isinstance(parameter.default, str):

@@ -22,7 +22,7 @@ def groups(obs, active):
     count = {kind: found.count(kind) for kind in kinds.ALL}
     curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
     made = [_NATIVE] if count['native'] and kinds.of(active) in kinds.FOLLOWED else []
-    made += [("Exact", ('make_exact',))] if count['native'] and not made else []
+    made += [("Exact", ('make_exact',))] if count['native'] + count['text'] and not made else []
     for kind in sorted(kinds.SHAPES):
         if count[kind] > 1 and active in obs and kinds.of(active) == kind:
             made.append(_JOIN[kind] if len(obs) == 2 else _JOIN_MANY)

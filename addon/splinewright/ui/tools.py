@@ -13,7 +13,7 @@ _LEFT_OUT = ("Add ", "Bring To ", "Convert ", "Take ")
 
 
 #: Made from a shape without changing it.
-_LEAVES_IT = {'extract_isocurve', 'extract_boundary'}
+_LEAVES_IT = {'extract_isocurve', 'extract_boundary', 'add_offset'}
 #: With two shapes selected they take a piece of each.
 _JOINS = {'join_ends', 'join_patches'}
 

@@ -69,13 +69,11 @@ double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
 NurbsPatch begun_at(const NurbsPatch& patch, Axis axis, const NetworkFamily& family, const NetworkFamily& others) {
   if (!family.is_closed || others.is_closed) return patch;
   const std::size_t kept = family.order.front() < family.order.back() ? 0 : family.curves.size() - 1;
-  const double seam = family.seams[kept];
+  const auto& [seam, before] = family.seams[kept];
   const Interval domain = patch.knot_vector(axis).domain();
   if (seam == domain.start || seam == domain.end) return patch;
-  const double period = domain.length();
   const NurbsPatch turned = along(patch, axis, [&](const NurbsCurve& line) { return with_seam_at(line, seam); });
-  const double before = seam >= domain.start + period ? seam : seam - period;
-  return with_domain(turned, axis, {before, before + period});
+  return with_domain(turned, axis, before);
 }
 
 }  // namespace

@@ -177,7 +177,8 @@ STARTING = (
     Recipe("contour", "Contour", "Segments through points, with corners that are sharp, round or cut off",
            (Parameter("corners", "Corners", "What is put in their place", "round", choices=(
                ("sharp", "Sharp", "Nothing"), ("round", "Round", "Arcs of circles"), ("cut", "Cut Off", "Segments"))),
-            Parameter("corner_size", "Corner Size", "Radius of the arcs, or how far from the corner it is cut", 0.2, 1e-6, unit='LENGTH'),
+            Parameter("corner_size", "Corner Size", "Radius of the arcs, or how far from the corner it is cut", 0.2, 1e-6, unit='LENGTH',
+                      where=("corners", ("round", "cut"))),
             Parameter("closed", "Closed", "Go back to the first point", False)),
            _contour, ((-1, -0.7, 0), (1, -0.7, 0), (1, 0.3, 0), (0, 1, 0), (-1, 0.3, 0)), True, 12),
 )

@@ -166,6 +166,11 @@ def _radius(name, label, text, follows=""):
     return Parameter(name, label, text, 0.1, 1e-6, unit='LENGTH', follows=follows)
 
 
+def _covered_by_matched(values):
+    """The surface that it is matched to goes on being seen beside it."""
+    return 2 if values['both'] else 1
+
+
 RECIPES = (
     Recipe("surface_blend", "Blend Surfaces",
            "The surface from a side of one surface to a side of another one that goes on as they do; it follows both",
@@ -181,7 +186,7 @@ RECIPES = (
             Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
             Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0),
             Parameter("both", "Both Move", "Both surfaces move half way, and are one shape", False)),
-           _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
+           _matched, is_surface=True, covers_inputs=True, covered=_covered_by_matched, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
            "Surfaces with a surface in the place of their edges that a rolling ball touches: of the edge in which two surfaces meet, "
            "or cross, of all edges of one, or of those whose numbers are given; it follows them",
