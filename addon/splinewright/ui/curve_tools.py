@@ -13,12 +13,13 @@ _GROUPS = (
     ("Pieces", ('split_curve', 'join_ends', 'join_pieces', 'join_curves', 'reverse')),
     ("Corners", ('fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')),
     ("Meet", ('trim_curve', 'extend_curve', 'split_where_met')),
-    ("Beside", ('add_offset',)),
     ("Speed", ('reparametrise', 'standard_form')),
     ("Ends", ('clamp', 'unclamp', 'make_periodic')),
     ("Place", ('project_curve',)),
     ("Kind", ('to_bezier_chain', 'to_hermite', 'to_nurbs')),
 )
+#: In the sidebar alone: among menus it stands with what cuts and meets.
+_BESIDE = ("Beside", ('add_offset',))
 #: On what is at the mouse.
 BY_MOUSE = ('insert_here', 'pull_here', 'split_here', 'trim_here', 'extend_here', 'fillet_here', 'chamfer_here')
 
@@ -46,7 +47,7 @@ class SPLINEWRIGHT_PT_curve_tools(SubPanel, bpy.types.Panel):
         return replacing.is_curve_shape(hand.shape_of(context.object))
 
     def draw(self, context):
-        tools.draw_verbs(self.layout, _GROUPS, context, replacing.is_curve_shape, BY_MOUSE)
+        tools.draw_verbs(self.layout, (*_GROUPS, _BESIDE), context, replacing.is_curve_shape, BY_MOUSE)
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve, SPLINEWRIGHT_PT_curve_tools)

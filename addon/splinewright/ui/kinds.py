@@ -5,7 +5,7 @@ from ..bridge import baking, shape
 SHAPES = {'curve', 'patch'}
 #: What shapes can be made from.
 FOLLOWED = SHAPES | {'native'}
-ALL = {'curve', 'patch', 'native', 'text', 'baked'}
+ALL = {'curve', 'patch', 'native', 'baked'}
 #: What can be made exact.
 INEXACT = {'native', 'text'}
 

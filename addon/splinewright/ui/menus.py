@@ -5,6 +5,7 @@ import bpy
 from ..bridge import read_polygons
 from ..core.recipes.table import DERIVED, FOLLOW, FROM_BOTH, FROM_CURVES, FROM_SURFACES, MEETING, STARTING
 from . import curve_tools, editing, kinds, patch_tools, tools
+from .operators import show_sights
 
 #: What stands above all others, as most is begun with it.
 _FIRST_CURVES = (('line', 'IPO_LINEAR'), ('bezier_curve', 'CURVE_BEZCURVE'), ('bezier_chain', 'CURVE_PATH'),
@@ -210,6 +211,16 @@ def _draw_entries(layout, found, obs):
                 layout.menu(entry.bl_idname, icon=icon)
 
 
+class SPLINEWRIGHT_MT_sights(bpy.types.Menu):
+    bl_idname = "SPLINEWRIGHT_MT_sights"
+    bl_label = "Show"
+
+    def draw(self, context):
+        self.layout.operator_context = 'EXEC_REGION_WIN'
+        for name, sight in show_sights.SIGHTS.items():
+            self.layout.operator("splinewright.show_sight", text=sight.label).sight = name
+
+
 class SPLINEWRIGHT_MT_object(bpy.types.Menu):
     bl_idname = "SPLINEWRIGHT_MT_object"
     bl_label = "Splinewright"
@@ -218,6 +229,8 @@ class SPLINEWRIGHT_MT_object(bpy.types.Menu):
         _draw_entries(self.layout, kinds.ALL, context.selected_objects)
         self.layout.separator()
         _draw_pens(self.layout)
+        self.layout.separator()
+        self.layout.menu(SPLINEWRIGHT_MT_sights.bl_idname, icon='OVERLAY')
 
 
 class SPLINEWRIGHT_MT_object_context(bpy.types.Menu):
@@ -273,6 +286,8 @@ class SPLINEWRIGHT_MT_net(bpy.types.Menu):
         layout.separator()
         tools = curve_tools if is_curve else patch_tools
         tools.draw_verbs(layout, context)
+        layout.separator()
+        layout.menu(SPLINEWRIGHT_MT_sights.bl_idname, icon='OVERLAY')
 
 
 def _draw_net(self, context):
@@ -294,7 +309,7 @@ def _draw_net_header(self, context):
 
 
 CLASSES = (SPLINEWRIGHT_MT_curve_add, SPLINEWRIGHT_MT_surface_add, SPLINEWRIGHT_MT_from_curves, SPLINEWRIGHT_MT_from_surfaces,
-           SPLINEWRIGHT_MT_meeting, SPLINEWRIGHT_MT_object,
+           SPLINEWRIGHT_MT_meeting, SPLINEWRIGHT_MT_sights, SPLINEWRIGHT_MT_object,
            SPLINEWRIGHT_MT_object_context, SPLINEWRIGHT_MT_net)
 
 #: Blender's menus that ours are added to, at the end or before all else.

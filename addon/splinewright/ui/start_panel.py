@@ -19,7 +19,7 @@ _JOIN_MANY = ("Join", ('join',))
 def groups(obs, active):
     """What tools.draw_panel() takes, for the selected objects and the active one."""
     found = [kinds.of(ob) for ob in obs]
-    count = {kind: found.count(kind) for kind in kinds.ALL}
+    count = {kind: found.count(kind) for kind in kinds.ALL | kinds.INEXACT}
     curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
     made = [_NATIVE] if count['native'] and kinds.of(active) in kinds.FOLLOWED else []
     made += [("Exact", ('make_exact',))] if count['native'] + count['text'] and not made else []
