@@ -4,7 +4,7 @@ import bpy
 import pytest
 
 from curves import value_of
-from layouts import drawn_by, panels
+from layouts import Layout, drawn_by, panels
 from natives import native_curve
 from shapes import activate, add, enter, op
 from support import part, splinecore as sc
@@ -99,3 +99,23 @@ def test_a_net_has_its_own_panel():
     enter()
     assert not start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
     assert any(panel.poll(bpy.context) for panel in panels() if hasattr(panel, 'poll'))
+
+
+@pytest.mark.parametrize('make', (curve, patch))
+def test_buttons_beside_a_word_fit_a_sidebar_as_wide_as_at_first(make):
+    """Their texts have 16 characters at most; a long name of a number stands before its field, not in it."""
+    make()
+    tools = part('ui.curve_tools' if bpy.context.object.type == 'CURVE' else 'ui.patch_tools')
+    layout = Layout()
+    part('ui.tools').draw_panel(layout, tools._GROUPS)
+    assert max(map(len, layout.texts)) <= 16, layout.texts
+
+
+def test_long_names_of_numbers_stand_before_their_fields():
+    activate(patch(), patch())
+    bpy.context.selected_objects[0].location.y = 5.0
+    bpy.context.view_layer.update()
+    op(bpy.ops.splinewright.add_surface_blend)
+    layout = Layout()
+    part('ui.recipe_props').draw(layout, bpy.context.object.data)
+    assert "Second Strength" in layout.texts and 'surface_blend_second_strength' in layout.props

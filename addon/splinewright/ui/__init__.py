@@ -9,7 +9,7 @@ from . import manual, preferences
 def _rooms():
     """Modules with CLASSES and, some, register() and unregister(); imported only with the library."""
     from . import (continuity_panel, curve_tools, detour, drawing, formulas_panel, gizmos, handlers, hints, join_notice,
-                   keymaps, measure_panel, menus, net_props, panels, patch_tools, pie, point_keys_panel, point_props, props, recipe_props,
+                   keymaps, measure_panel, menus, net_props, net_toolbar, panels, patch_tools, pie, point_keys_panel, point_props, props, recipe_props,
                    scene_tolerance, sights_panel, sights_props, start_panel, toolbar)
     from .operators import (add_curve, add_patch, add_recipe, along_here, at_sides, axis_from_edge, bake, cap,
                             contour_through, curve_corners, curve_here, curve_join, curve_meeting, curve_through,
@@ -25,7 +25,7 @@ def _rooms():
                  curve_here, intersections, measure_here, measure_whole, pull_here, weight_here, along_here, key_points,
                  move_knot, strip_keys, at_sides, touching_circle, round_here, select_seen, show_sights, self_test)
     return (props, net_props, recipe_props, point_props, sights_props, *operators, panels, curve_tools, patch_tools,
-            point_keys_panel, continuity_panel, measure_panel, formulas_panel, sights_panel, scene_tolerance, menus, start_panel, pie, keymaps, toolbar, gizmos,
+            point_keys_panel, continuity_panel, measure_panel, formulas_panel, sights_panel, scene_tolerance, menus, start_panel, pie, keymaps, toolbar, net_toolbar, gizmos,
             hints, drawing, handlers, join_notice, detour)
 
 

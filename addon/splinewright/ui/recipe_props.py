@@ -17,6 +17,8 @@ from . import inputs_list, texts
 
 #: Characters of a label for which a third of the width is enough.
 _SHORT = 7
+#: Those of one that fits a field beside its number, in a sidebar as wide as at first.
+_FITS = 11
 
 
 def property_of(parameter, **more):
@@ -152,6 +154,10 @@ def draw(layout, data, is_net_out=False):
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
             if parameter.name == 'edges':
                 row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
+        elif len(parameter.label) > _FITS and not isinstance(parameter.default, bool):
+            row = row.split(factor=0.6, align=True)
+            row.label(text=parameter.label)
+            row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     if recipe.has_more:

@@ -110,7 +110,12 @@ def draw_panel(layout, groups, refused=(set(),)):
         for name in names:
             button = column.row(align=True)
             button.enabled = not all(name in of_one for of_one in refused)
-            button.operator(f"splinewright.{name}", text=text_of(name))
+            button.operator(f"splinewright.{name}", text=_SHORTER.get(name) or text_of(name))
+
+
+#: What buttons beside the word of their group say, where their text would be cut in a sidebar as wide as at first.
+_SHORTER = {'fillet_curves': "Fillet Two", 'chamfer_curves': "Chamfer Two", 'split_where_met': "Split Where Met",
+            'patch_to_bezier': "To Bezier", 'project_curve': "Perspective"}
 
 
 def works_on_nets(name):

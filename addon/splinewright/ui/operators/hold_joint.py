@@ -12,7 +12,7 @@ from .hold_seam import OnWhatHolds, number_property, released
 
 _WORDS = {'C0': "They meet", 'G1': "They share the tangent, too", 'C1': "They share the first derivative",
           'G2': "They share the osculating circle, too", 'C2': "They share the first two derivatives"}
-_MOVES = {'second': ("The Other", "What begins there moves to what ends there"), 'first': ("The First", "What ends there moves"),
+_MOVES = {'second': ("Other", "What begins there moves to what ends there"), 'first': ("First", "What ends there moves"),
           'both': ("Both", "Each goes half of the way")}
 
 

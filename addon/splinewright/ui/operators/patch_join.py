@@ -16,7 +16,7 @@ from .pick_piece import draw_number
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
           'C2': "They share the first two derivatives across the edge"}
-_MOVES = {'second': ("The Other", "The second patch moves to the first"), 'first': ("The First", "The first patch moves"),
+_MOVES = {'second': ("Other", "The second patch moves to the first"), 'first': ("First", "The first patch moves"),
           'both': ("Both", "Each as little as it must")}
 
 
