@@ -11,7 +11,7 @@ _MEANINGLESS = {f"builtin.{name}" for name in (
     'poly_build', 'spin', 'spin_duplicates', 'rip_region', 'rip_edge')}
 _NAME = 'tools_from_context'
 #: What Blender's class has in place of ours, while ours is there.
-_blenders = []
+_blenders = ()
 
 
 def meaningful(context, items):
@@ -42,12 +42,15 @@ CLASSES = ()
 
 
 def register():
+    global _blenders
     if not _blenders:
-        _blenders.append(vars(VIEW3D_PT_tools_active)[_NAME])
+        _blenders = vars(VIEW3D_PT_tools_active)[_NAME],
         setattr(VIEW3D_PT_tools_active, _NAME, _ours)
 
 
 def unregister():
     """Where another add-on has put its own over ours, and calls that, it stays."""
+    global _blenders
     if vars(VIEW3D_PT_tools_active)[_NAME] is _ours:
-        setattr(VIEW3D_PT_tools_active, _NAME, _blenders.pop())
+        setattr(VIEW3D_PT_tools_active, _NAME, *_blenders)
+        _blenders = ()

@@ -109,7 +109,7 @@ RECIPES = (
            (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'),
             Parameter("start", "Start", "Angle from the x axis", 0.0, unit='ROTATION'),
             Parameter("sweep", "Sweep", "Angle of the arc", math.pi / 2, -2 * math.pi, 2 * math.pi, unit='ROTATION')), _arc),
-    Recipe("arc_by_points", "Arc by Points", "The arc of a circle that three points say",
+    Recipe("arc_by_points", "Arc by Points", "The arc of a circle given by three points",
            (Parameter("by", "By", "What the points are", "through", choices=(
                ("through", "Three Points", "Its start, a point on it, its end"),
                ("tangent", "Tangent", "Its start, where it goes from there, its end"),

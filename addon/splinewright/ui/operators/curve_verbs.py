@@ -57,8 +57,8 @@ class SPLINEWRIGHT_OT_insert_knot(_AtParameter, bpy.types.Operator):
 class SPLINEWRIGHT_OT_remove_knot(pieces.WithinTolerance, _AtParameter, bpy.types.Operator):
     bl_idname = "splinewright.remove_knot"
     bl_label = "Remove Knot"
-    bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
-                      "and say how far the curve moved")
+    bl_description = ("Remove copies of an inner knot with the least change of the control points, and report how far the "
+                      "curve moved")
     done = "Removed a knot of {}"
 
     parameter: parameter_property("Parameter", "Parameter u on the curve")
@@ -76,7 +76,7 @@ class SPLINEWRIGHT_OT_remove_knot(pieces.WithinTolerance, _AtParameter, bpy.type
 class SPLINEWRIGHT_OT_remove_knots(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.remove_knots"
     bl_label = "Remove Knots"
-    bl_description = ("Take every inner knot away that can go while the curve moves no farther than a tolerance; "
+    bl_description = ("Remove every inner knot whose removal moves the curve by no more than a tolerance; "
                       "a Hermite chain becomes NURBS")
     done, already = "Removed knots of {}", "no knot can go within the tolerance"
 
@@ -101,7 +101,7 @@ class SPLINEWRIGHT_OT_raise_degree(OnCurves, bpy.types.Operator):
 class SPLINEWRIGHT_OT_lower_degree(pieces.WithinTolerance, OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.lower_degree"
     bl_label = "Lower Degree"
-    bl_description = "Take the nearest curve of a lower degree, and say how far it lies from the present one"
+    bl_description = "Replace the curve by the nearest one of a lower degree, and report how far that lies from it"
     done = "Lowered the degree of {}"
 
     times: times_property("By how much the degree is lowered")
@@ -126,8 +126,8 @@ class _Fitted(pieces.LongOnPieces, OnCurves):
 class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
     bl_idname = "splinewright.rebuild"
     bl_label = "Rebuild"
-    bl_description = ("Take the nearest curve with so many points on even knots, and say how far it lies from the present "
-                      "one; degree + 1 points make one Bezier piece")
+    bl_description = ("Replace the curve by the nearest one with so many points on even knots, and report how far that lies "
+                      "from it; degree + 1 points make one Bezier piece")
     done, already = "Rebuilt {}", "its points and knots are these already"
 
     by: EnumProperty(name="By", items=(
@@ -247,7 +247,7 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
     bl_idname = "splinewright.to_hermite"
     bl_label = "Convert To Hermite"
     bl_description = ("Make curves of degree 3 or less Hermite chains: exactly where they have no weights, "
-                      "conics within a tolerance, and say how far they moved")
+                      "conics within a tolerance, and report how far they moved")
     done, already = "Made {} Hermite", "it is Hermite already"
     bl_options = {'REGISTER', 'UNDO'}
     has_scene_tolerance = True
@@ -259,21 +259,21 @@ class SPLINEWRIGHT_OT_to_hermite(OnCurves, bpy.types.Operator):
 
 
 _PLAIN = tuple(pieces.plain(OnCurves, *row) for row in (
-    ('reverse', "Reverse", "Let curves run the other way over the same domain",
+    ('reverse', "Reverse", "Reverse the direction of curves; their domain stays",
      "Reversed {}", "it is the same in both directions", verbs.reverse),
     ('standard_form', "Bring To Standard Form",
      "Change the parameter so that both end weights are 1; the curve stays the same",
      "Brought {} to standard form", "the end weights are 1 already", verbs.standard_form),
-    ('clamp', "Clamp", "Let the curve begin and end in its outer control points; it stays the same. "
+    ('clamp', "Clamp", "Make the curve begin and end at its first and last control points; it stays the same. "
      "A periodic one is cut at its seam",
      "Clamped {}", "it begins and ends in its outer points already", verbs.clamp),
     ('unclamp', "Unclamp", "Spread the knots at the ends, so that the curve touches no end point; it stays the same. "
      "A periodic one is opened",
      "Unclamped {}", "its knots go on outside the domain already", verbs.unclamp),
     ('to_bezier_chain', "Convert To Bezier Chain",
-     "Make every span a Bezier curve of its own, a piece of the same shape",
+     "Convert every span to a Bezier curve of its own; the shape stays the same",
      "Made {} Bezier curves", "its pieces are Bezier curves already", verbs.to_bezier_chain),
-    ('to_nurbs', "Convert To NURBS", "Make Bezier curves and Hermite chains NURBS curves; they stay the same",
+    ('to_nurbs', "Convert To NURBS", "Convert Bezier curves and Hermite chains to NURBS curves; they stay the same",
      "Made {} NURBS", "it is NURBS already", verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,

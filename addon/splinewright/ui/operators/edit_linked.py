@@ -3,7 +3,7 @@
 import bpy
 
 from ...bridge import shape
-from . import polls
+from . import polls, reports
 
 
 class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
@@ -26,8 +26,7 @@ class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
         return {'CANCELLED'}
 
     def execute(self, context):
-        self.report({'ERROR'}, told(context.object))
-        return {'CANCELLED'}
+        return reports.cancelled(self, told(context.object))
 
 
 def told(ob):

@@ -45,8 +45,8 @@ def _side_property(of):
 class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_idname = "splinewright.join_patches"
     bl_label = "Join Patches"
-    bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
-                      "and how far they moved: two of the active shape, or one of each of two selected shapes")
+    bl_description = ("Make two patches continue each other where their nearest sides meet, and report what was achieved and "
+                      "how far they moved: two of the active shape, or one of each of two selected shapes")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: continuity_property()

@@ -129,8 +129,8 @@ class SPLINEWRIGHT_OT_patch_insert_knot(AtParameters, _WithNeighbors, bpy.types.
 class SPLINEWRIGHT_OT_patch_remove_knot(_WithinTolerance, AtParameters, _Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_remove_knot"
     bl_label = "Remove Knot"
-    bl_description = ("Take copies of an inner knot away, move the control points as little as that asks, "
-                      "and say how far the patch moved")
+    bl_description = ("Remove copies of an inner knot with the least change of the control points, and report how far the "
+                      "patch moved")
     done = "Removed a knot of {}"
 
     nearest: BoolProperty(name="Nearest", description="Take the inner knot that is nearest to the parameter; "
@@ -147,7 +147,7 @@ class SPLINEWRIGHT_OT_patch_remove_knot(_WithinTolerance, AtParameters, _Along, 
 class SPLINEWRIGHT_OT_patch_remove_knots(_Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_remove_knots"
     bl_label = "Remove Knots"
-    bl_description = ("Take every inner knot away that can go while the patch moves no farther than a tolerance; "
+    bl_description = ("Remove every inner knot whose removal moves the patch by no more than a tolerance; "
                       "a Hermite patch becomes NURBS")
     done, already = "Removed knots of {}", "no knot can go within the tolerance"
 
@@ -175,7 +175,7 @@ class SPLINEWRIGHT_OT_patch_raise_degree(_WithNeighbors, bpy.types.Operator):
 class SPLINEWRIGHT_OT_patch_lower_degree(_WithinTolerance, _Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_lower_degree"
     bl_label = "Lower Degree"
-    bl_description = "Take the nearest patch of a lower degree, and say how far it lies from the present one"
+    bl_description = "Replace the patch by the nearest one of a lower degree, and report how far that lies from it"
     done = "Lowered the degree of {}"
 
     times: times_property("By how much the degree is lowered")
@@ -190,8 +190,8 @@ class SPLINEWRIGHT_OT_patch_lower_degree(_WithinTolerance, _Along, bpy.types.Ope
 class SPLINEWRIGHT_OT_patch_rebuild(pieces.LongOnPieces, OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.patch_rebuild"
     bl_label = "Rebuild"
-    bl_description = ("Take the nearest patch with so many points on even knots, and say how far it lies from the present "
-                      "one; corners stay, and degree + 1 points make one span")
+    bl_description = ("Replace the patch by the nearest one with so many points on even knots, and report how far that lies "
+                      "from it; corners stay, and degree + 1 points make one span")
     done, already = "Rebuilt {}", "its points and knots are these already"
 
     count_u: IntProperty(name="Points U", description="How many control points each patch gets along u", default=8, min=2,
@@ -244,8 +244,8 @@ class SPLINEWRIGHT_OT_patch_split(AtParameters, _WithNeighbors, bpy.types.Operat
 class SPLINEWRIGHT_OT_patch_reverse(_Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_reverse"
     bl_label = "Reverse"
-    bl_description = ("Let patches run the other way over the same domain; in one direction this turns their normals, "
-                      "in both it does not")
+    bl_description = ("Reverse patches along u, v or both; their domain stays. Along one of them this flips their normals, "
+                      "along both it does not")
     done, already = "Reversed {}", "it is the same in both directions"
 
     def verb_along(self, axis, spent):
@@ -289,7 +289,7 @@ class SPLINEWRIGHT_OT_patch_reparametrise(pieces.Reparametrises, _Along, bpy.typ
 class SPLINEWRIGHT_OT_patch_clamp(_Along, bpy.types.Operator):
     bl_idname = "splinewright.patch_clamp"
     bl_label = "Clamp"
-    bl_description = ("Let the patch begin and end in its outer control points; it stays the same. "
+    bl_description = ("Make the patch begin and end at its outer control points; it stays the same. "
                       "A periodic one is cut at its seam")
     done, already = "Clamped {}", "it begins and ends in its outer points already"
 
@@ -324,12 +324,12 @@ class SPLINEWRIGHT_OT_patch_make_periodic(_Along, bpy.types.Operator):
 
 _PLAIN = tuple(pieces.plain(OnPatches, *row) for row in (
     ('patch_to_bezier', "Convert To Bezier Patches",
-     "Make every span a Bezier patch of its own, a piece of the same shape; neighbours share their points",
+     "Convert every span to a Bezier patch of its own; the shape stays the same, and neighbors share their points",
      "Made {} Bezier patches", "its pieces are Bezier patches already", patch_verbs.to_bezier),
     ('patch_to_hermite', "Convert To Hermite",
      "Make patches of degree 3 or less without weights Hermite patches; they stay the same",
      "Made {} Hermite", "it is Hermite already", patch_verbs.to_hermite),
-    ('patch_to_nurbs', "Convert To NURBS", "Make Bezier and Hermite patches NURBS patches; they stay the same",
+    ('patch_to_nurbs', "Convert To NURBS", "Convert Bezier and Hermite patches to NURBS patches; they stay the same",
      "Made {} NURBS", "it is NURBS already", patch_verbs.to_nurbs)))
 
 CLASSES = (SPLINEWRIGHT_OT_patch_insert_knot, SPLINEWRIGHT_OT_patch_remove_knot, SPLINEWRIGHT_OT_patch_remove_knots,
