@@ -39,6 +39,9 @@ class Layout:
     def separator(self, **_):
         """Nothing to say."""
 
+    def popover(self, *_, **__):
+        """Nothing to say."""
+
     def menu(self, *_, **__):
         """Nothing to say."""
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from curves import value_of
+from layouts import drawn_by
 from shapes import activate, add, enter, leave, move, op, select
 from support import part, splinecore as sc
 
@@ -98,6 +99,21 @@ def test_a_small_gap_is_measured_and_a_large_one_is_no_joint():
         if joints:
             assert math.isclose(joints["1 → → 2"].continuity.gap, gap) and drawn()[4:6] == ["gap", "1e-05"]
     assert drawn() == ["No joints"]
+
+
+def test_a_seam_without_a_lock_says_why_and_offers_what_helps():
+    """Shapes that are made one by Join Shapes have edges that lie on each other."""
+    first, second = sc.BezierPatch(np.mgrid[0:4, 0:4, 0:1].reshape(3, 4, 4).transpose(1, 2, 0)), None
+    second = first.with_points(first.points + (3, 0, 0))
+    left, right = add(first, "left"), add(second, "right")
+    activate(right, left)
+    op(bpy.ops.splinewright.join)
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_continuity, bpy.context)
+    assert "Join Patches" in " ".join(layout.texts) and "splinewright.hold_seam" not in layout.operators
+    assert "splinewright.join_patches" in layout.operators
+    op(bpy.ops.splinewright.join_patches, continuity='C0', first=1, second=2)
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_continuity, bpy.context)
+    assert "splinewright.hold_seam" in layout.operators and "Join Patches" not in " ".join(layout.texts)
 
 
 def test_seams_of_closed_curves_are_joints_and_knots_of_nothing_are_smooth():

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from curves import said_near
-from shapes import op, require_exact
+from shapes import enter, leave, op, require_exact
 from support import part, splinecore as sc
 from test_curve_through import value
 from test_menus import drawn
@@ -64,6 +64,41 @@ contours, guides, marks = part('core.contours'), part('core.guides'), part('core
 
 def polar(length, degrees):
     return length * np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+
+
+@pytest.mark.parametrize('kinds, closing', ((('segment', 'segment', 'segment'), 'segment'), (('segment', 'arc', 'segment'), 'segment'),
+                                            (('segment', 'segment', 'arc'), 'arc')))
+def test_the_corner_radius_of_a_drawn_contour_stays_in_its_panel(kinds, closing):
+    drawn = contours.Contour(((0, 0, 0), (4, 0, 0), (4, 3, 0), (0, 3, 0)), kinds, True, closing)
+    assert op(bpy.ops.splinewright.draw_contour, contour=contours.text_of(drawn), radius=0.2) == {'FINISHED'}
+    ob = bpy.context.object
+    for radius in (0.2, 0.3):
+        ob.data.splinewright_parameters.contour_corner_size = radius
+        made, wanted = value(ob), contours.curve_of(drawn, radius)
+        assert made.length() == pytest.approx(wanted.length(), rel=1e-9)
+        assert part('bridge.recipes').parameters(ob.data)['arcs'] == ", ".join(map(str, drawn.sides()))
+    assert editing_points(ob) == 4
+    op(bpy.ops.splinewright.draw_contour, contour=contours.text_of(drawn))
+    assert not part('bridge.recipes').has(bpy.context.object.data), "sharp corners can be trimmed at once"
+
+
+def editing_points(ob):
+    held = enter()
+    count = len(held.data.splines[0].points)
+    leave()
+    return count
+
+
+def test_arcs_of_a_contour_that_are_no_numbers_are_refused():
+    with pytest.raises(RuntimeError, match="is no number of a side"):
+        op(bpy.ops.splinewright.add_contour, arcs="two")
+    assert op(bpy.ops.splinewright.add_contour, arcs="2-3, 99", corners='cut') == {'FINISHED'}
+
+
+def test_points_that_lie_on_one_another_are_one():
+    twice = contours.Contour(((0, 0, 0), (4, 0, 0), (4, 0, 0), (4, 2, 0), (0, 0, 0)), ('segment', 'arc', 'arc', 'segment'), True)
+    found = twice.without_repeats()
+    assert found.points == ((0, 0, 0), (4, 0, 0), (4, 2, 0)) and found.kinds == ('segment', 'arc') and found.closing == 'segment'
 
 
 def test_a_contour_closes_by_an_arc():

@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 import pytest
 
+from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
 from support import part, vertices
 
@@ -315,4 +316,25 @@ def test_disabling_the_add_on_in_the_middle_of_editing_puts_the_net_away(name):
     held = enter()
     select(held, first_point(held))
     move(0, 0, 1)
+    require_exact(leave())
+
+
+@pytest.mark.parametrize('is_overridden', (False, True))
+def test_the_panel_and_tab_say_from_which_file_a_shape_is_linked_and_make_it_local(is_overridden, tmp_path):
+    path, _ = library(tmp_path)
+    ob = bring(path, link=True)
+    if is_overridden:
+        ob = ob.override_create(remap_local_usages=True)
+        activate(ob)
+    layout = drawn_by(part('ui.panels').SPLINEWRIGHT_PT_shape, bpy.context)
+    assert "linked from library.blend" in " ".join(layout.texts) and "object.make_local" in layout.operators
+    assert "splinewright.edit_net" not in layout.operators
+    assert bpy.ops.splinewright.edit_linked.poll(), "Tab"
+    with pytest.raises(RuntimeError, match="shape is linked from library.blend: make it local"):
+        bpy.ops.splinewright.edit_linked()
+    bpy.ops.object.make_local(type='SELECT_OBDATA')
+    activate(bpy.context.object)
+    assert bpy.ops.splinewright.edit_net.poll() and not bpy.ops.splinewright.edit_linked.poll()
+    bpy.ops.ed.undo_push(message="local")
+    enter()
     require_exact(leave())

@@ -88,8 +88,30 @@ def test_what_was_achieved_is_said(capfd):
     add(sheets())
     op(bpy.ops.splinewright.join_patches, continuity='C1')
     said = capfd.readouterr().out
-    assert "1 u end and 2 u start are C1 G1, angle 0°" in said
-    assert "patch 2 moved by" in said and "patch 1" not in said
+    assert "u end of patch 1 and u start of patch 2 are C1 G1, angle 0°" in said
+    assert "patch 2 moved by" in said and "patch 1 moved" not in said
+
+
+def test_two_shapes_that_are_joined_are_called_by_their_names(capfd):
+    wing, body = add(sc.BezierPatch(net(0)), "wing"), add(sc.PatchSet.from_patches([sc.BezierPatch(net(8)), sc.BezierPatch(net(4))]), "body")
+    activate(body, wing)
+    op(bpy.ops.splinewright.join_patches, continuity='G1')
+    said = capfd.readouterr().out
+    assert "u start of patch 2 of body and u end of wing are" in said and "wing moved by" in said
+    activate(body, add(sc.BezierPatch(net(0)), "other"))
+    with pytest.raises(RuntimeError, match="other: there is 1 patch, none of number 7"):
+        op(bpy.ops.splinewright.join_patches, second=7)
+
+
+def test_the_report_and_the_panel_say_the_same_continuity(capfd):
+    """Where derivatives nearly agree, the limit decides."""
+    first, second = np.array(net(0)), np.array(net(3))
+    second[0] = first[-1]
+    second[1] = first[-1] + (first[-1] - first[-2]) * (1 + 3e-6)
+    ob = add(sc.PatchSet.from_patches([sc.BezierPatch(first), sc.BezierPatch(second)]))
+    op(bpy.ops.splinewright.join_patches, continuity='C0')
+    shown, = (part('ui.continuity_panel').kind(joint) for joint in part('bridge.surveys').survey_of(ob.data).joints)
+    assert f"are {shown}, angle" in capfd.readouterr().out and shown == "C1 G1"
 
 
 def three(rows):
@@ -113,7 +135,7 @@ def test_other_patches_go_along_with_what_is_joined(capfd):
 def test_seams_with_others_that_come_apart_are_named(capfd):
     add(three(2))
     op(bpy.ops.splinewright.join_patches, first=1, second=2, continuity='G2')
-    assert "open now between the patches 2 and 3" in capfd.readouterr().out
+    assert "open now between patch 2 and patch 3" in capfd.readouterr().out
 
 
 @pytest.mark.parametrize('value, settings, reason', (

@@ -322,3 +322,29 @@ def test_what_blender_has_comes_back_with_the_same_points_and_knots(degree, coun
     assert np.array_equal(after.points, before.points.astype(np.float32)) and after.periodic == before.periodic
     ours, theirs = ((value.knots - value.domain[0]) / np.ptp(value.domain) for value in (before, after))
     assert np.allclose(ours, theirs, atol=1e-12)
+
+
+def text(body):
+    bpy.ops.object.text_add()
+    ob = bpy.context.object
+    ob.data.body = body
+    bpy.context.view_layer.update()
+    return ob
+
+
+def test_a_text_becomes_curves_in_its_place():
+    ob = text("Oi")
+    ob.location.x, pointer = 2.0, ob.as_pointer()
+    with pytest.raises(RuntimeError, match="Make Exact turns a text into curves"):
+        bpy.ops.splinewright.add_revolve()
+    assert bpy.ops.splinewright.make_exact() == {'FINISHED'}
+    assert ob.as_pointer() == pointer and ob.type == 'CURVE' and ob.location.x == 2.0 and ob.select_get()
+    assert len(ob.data.splinewright.value) == 4, "O has two outlines, i has two"
+    assert ob.data.dimensions == '2D'
+
+
+def test_a_text_without_letters_stays_a_text():
+    ob = text(" ")
+    with pytest.raises(RuntimeError, match="no letters"):
+        bpy.ops.splinewright.make_exact()
+    assert ob.type == 'FONT' and ob.data.body == " "

@@ -7,8 +7,9 @@ import pytest
 
 import patches
 from curves import value_of
+from layouts import Layout
 from natives import native_curve
-from shapes import activate, add, enter, op
+from shapes import VALUES, activate, add, enter, op
 from support import part
 
 menus, menu_table, offered = part('ui.menus'), part('ui.menu_table'), part('ui.offered')
@@ -16,7 +17,7 @@ menus, menu_table, offered = part('ui.menus'), part('ui.menu_table'), part('ui.o
 ENTRY, LINE = 20, 8
 #: Operators that are not found in menus: of panels, keys, files, redo panels, lists and other modes.
 ELSEWHERE = {
-    'add_inputs', 'axis_from_edge', 'contour_through_points', 'edit_source', 'export_bpt', 'export_json', 'fit_patch', 'hold_joint',
+    'add_inputs', 'axis_from_edge', 'edit_linked', 'export_bpt', 'export_json', 'fit_patch', 'hold_joint',
     'hold_seam', 'import_bpt', 'import_json', 'insert_on_strip', 'leave_result', 'manual', 'measure_whole', 'move_input', 'move_knot',
     'patch_through_grid', 'pick_for_operator', 'pie', 'release_joint', 'release_seam', 'remove_input', 'remove_on_strip',
     'reverse_inputs', 'select_seen', 'self_test', 'set_moving', 'set_patch_material', 'show_inputs', 'sort_inputs',
@@ -37,6 +38,7 @@ class Drawn(list):
         assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
         if not self.enabled:
             self.grey.add(self[-1])
+        return SimpleNamespace()
 
     def menu(self, name, **_):
         self.append(name)
@@ -75,7 +77,12 @@ def cube():
     return bpy.context.object
 
 
-@pytest.mark.parametrize('make', (lambda: bpy.ops.object.text_add(), lambda: bpy.ops.object.empty_add(),
+def test_a_text_can_be_made_exact():
+    bpy.ops.object.text_add()
+    assert "make_exact" in drawn(CONTEXT) and drawn(APPLY) == [] and drawn(CONVERT) == ["make_exact"]
+
+
+@pytest.mark.parametrize('make', (lambda: bpy.ops.object.empty_add(),
                                   lambda: bpy.ops.object.camera_add()))
 def test_what_is_not_ours_to_change_has_no_entries(make):
     make()
@@ -156,9 +163,10 @@ def test_a_command_is_in_one_menu():
     objects = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)]
     adding = [entry.operator for top in (menu_table.ADD_CURVE, menu_table.ADD_SURFACE) for entry in menu_table.operators_in(top)]
     from_objects = {entry.operator for menu in (menu_table.FROM_CURVES, menu_table.FROM_SURFACES) for entry in menu.entries}
+    objects = [name for name in objects if name != 'show_sight']        # one for each overlay
     assert len(objects) == len(set(objects)) and len(adding) == len(set(adding))
     assert set(objects) & set(adding) == from_objects, "what is made of objects is under Add, too, in the same menus"
-    listed = {*objects, *adding, *nets}
+    listed = {*objects, *adding, *nets, 'show_sight'}
     assert listed | ELSEWHERE == set(dir(bpy.ops.splinewright)), (set(dir(bpy.ops.splinewright)) - listed - ELSEWHERE, (listed | ELSEWHERE) - set(dir(bpy.ops.splinewright)))
 
 
@@ -182,3 +190,30 @@ def test_under_add_all_that_is_made_of_objects_stands_whatever_is_selected():
     for begin in (lambda: None, cube):
         begin()
         assert {"add_loft", "add_thickened", "add_of_mesh"} <= set(drawn("VIEW3D_MT_surface_add"))
+
+
+WORDS = ("zebra", "stripes", "continuity", "comb", "curvature")
+
+
+@pytest.mark.parametrize('menu', ('SPLINEWRIGHT_MT_object', 'SPLINEWRIGHT_MT_net'))
+def test_what_other_programs_call_it_is_found_by_f3(menu):
+    """That looks through the entries of menus and of the menus in them."""
+    ob = add(VALUES['nurbs patch']())
+    if menu == 'SPLINEWRIGHT_MT_net':
+        enter()
+    shown = []
+    layout = type("Entries", (Layout,), {'menu': lambda self, name, **_: shown.append(name)})()
+    getattr(bpy.types, menu).draw(SimpleNamespace(layout=layout), bpy.context)
+    assert 'SPLINEWRIGHT_MT_show' in shown
+    entries = Layout()
+    bpy.types.SPLINEWRIGHT_MT_show.draw(SimpleNamespace(layout=entries), bpy.context)
+    for word in WORDS:
+        assert any(word in text.lower() for text in entries.texts), word
+    chosen = bpy.context.scene.splinewright_sights
+    for sight, name in (('ZEBRA', "stripes"), ('COMB', "comb"), ('CURVATURE', "curvature")):
+        assert op(bpy.ops.splinewright.show_sight, sight=sight) == {'FINISHED'} and getattr(chosen, name)
+        assert op(bpy.ops.splinewright.show_sight, sight=sight) == {'FINISHED'} and not getattr(chosen, name)
+    op(bpy.ops.splinewright.show_sight, sight='ZEBRA')
+    op(bpy.ops.splinewright.show_sight, sight='REFLECTION')
+    assert chosen.stripes and chosen.stripe_kind == 'REFLECTION', "another kind, not off"
+    assert op(bpy.ops.splinewright.show_sight, sight='CONTINUITY') == {'FINISHED'} and ob.data.splinewright.show_seams

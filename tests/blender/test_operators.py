@@ -108,3 +108,14 @@ def test_no_parameter_hides_a_method_of_its_operator():
         names = {parameter.name for parameter in cls.recipe.parameters}
         hidden = {name for name in names for base in cls.__mro__[1:] if callable(vars(base).get(name))}
         assert not hidden and cls.recipe.kind in table.RECIPES, (cls.recipe.kind, hidden)
+
+
+#: Words that no other program has for what is meant.
+ODD = ("comes of", "come of", "at one pace", "each for itself", "say how far", "go on as one another", "the other way over", "is one number")
+
+
+def test_tooltips_have_plain_words():
+    described = {cls.__name__: cls.bl_description for room in part('ui')._rooms() for cls in room.CLASSES if getattr(cls, 'bl_description', "")}
+    described |= {recipe.kind: recipe.description for recipe in part('core.recipes.table').RECIPES.values()}
+    assert len(described) > 200
+    assert not [name for name, text in described.items() if any(words in text for words in ODD)]

@@ -163,7 +163,7 @@ def test_the_preferences_show_the_keys_as_the_user_has_them(wanted, monkeypatch)
     bpy.context.window_manager.keyconfigs.update()
     layout, items = drawn(wanted, monkeypatch)
     found = {item.idname: (keymap, item) for keymap, item in items}
-    assert set(found) == {"splinewright.edit_net", "splinewright.edit_source", "splinewright.leave_net",
+    assert set(found) == {"splinewright.edit_net", "splinewright.edit_source", "splinewright.edit_linked", "splinewright.leave_net",
                           "splinewright.join", "splinewright.insert_here", "splinewright.pull_here",
                           "splinewright.separate_pieces", "splinewright.key_points", "splinewright.pie", "splinewright.radius_here", "splinewright.tilt_here",
                           "splinewright.insert_on_strip", "splinewright.remove_on_strip"}

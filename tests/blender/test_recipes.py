@@ -1,11 +1,13 @@
 """Recipes: their numbers stay what one edits, in the panel, by the net, for ever."""
 
 import math
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
 import pytest
 
+from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
 from support import curve_points, part, splinecore as sc
 
@@ -355,3 +357,19 @@ def test_an_ellipse_that_is_drawn_anywhere_keeps_its_directions():
     assert numbers(ob).ellipse_length_0 == 2.0 and numbers(ob).ellipse_length_1 == 0.5
     numbers(ob).ellipse_length_0 = 3.0
     assert np.array_equal(recipes.points(ob.data), [(1, 2, 3), (1, 5, 3), (1, 2, 2.5)])
+
+
+@pytest.mark.parametrize('kind, name, value, hidden', (
+    ('ellipse', 'form', 'deformable', 'tolerance'), ('circle', 'form', 'deformable', 'tolerance'), ('sphere', 'deformable', True, 'tolerance'),
+    ('contour', 'corners', 'cut', 'corner_size'), ('approximating', 'by', 'count', 'control_points'), ('interpolating', 'closed', False, 'knots')))
+def test_what_does_not_count_is_not_shown(kind, name, value, hidden):
+    """In the panel and in that of the last operator."""
+    recipe = part('core.recipes.table').RECIPES[kind]
+    given = {parameter.name: parameter for parameter in recipe.parameters}
+    others = {'form': 'square', 'deformable': False, 'corners': 'sharp', 'by': 'tolerance', 'closed': True}
+    for now, is_shown in ((value, True), (others[name], False)):
+        shown = recipe.counting(SimpleNamespace(**{**recipe.defaults, name: now}))
+        assert (given[hidden] in shown) == is_shown
+        data = add_recipe(kind, **{name: now}).data
+        drawn = drawn_by(part('ui.panels').SPLINEWRIGHT_PT_shape, bpy.context)
+        assert (f"{kind}_{hidden}" in drawn.props) == is_shown, drawn.props

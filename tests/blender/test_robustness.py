@@ -205,6 +205,8 @@ def test_the_panel_text_of_every_kind_tells_degree_counts_and_knots():
     assert lines(definition(patch)) == [
         ("Kind", "NURBS patch"), ("Degree", "1 × 2"), ("Points", "2 × 3"), ("Knots U", "4, clamped"), ("", "0 0 1 1"),
         ("Knots V", "4, periodic"), ("", "0 1 2 3")]
+    nearly = sc.NurbsCurve(1, [4.1e-17, 4.1e-17, 1e-9, 1, 1], np.ones((3, 3)))
+    assert ("", "0 0 1e-09 1 1") in lines(definition(nearly)), "rounding is nothing"
     assert lines(definition(sc.BezierCurve(np.eye(3), [1, 0, 1]))) == [
         ("Kind", "Bezier curve"), ("Degree", "2"), ("Points", "3"), ("Weights", "rational")]
     assert lines(definition(sc.HermiteCurve(np.eye(3), np.eye(3))))[:2] == [("Kind", "Hermite curve"), ("Degree", "3")]

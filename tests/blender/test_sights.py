@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from layouts import drawn_by
-from shapes import KINDS, VALUES, add, enter, leave, move, select
+from shapes import KINDS, VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
 combs, definitions, faces, frames, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
@@ -390,9 +390,24 @@ def test_points_behind_are_shown_only_when_asked_for(chosen):
 
 
 def test_the_popover_has_every_switch(chosen):
-    add(VALUES['bezier patch']())
+    """Those of what is selected; on as many rows as Blender leaves on a usual screen."""
+    switches = {known.identifier for known in chosen.bl_rna.properties if known.type == 'BOOLEAN'}
+    of_one = {}
+    for kind in ('nurbs', 'nurbs patch'):
+        of_one[kind] = add(VALUES[kind](), kind)
+        activate(of_one[kind])
+        drawn = drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props
+        assert len(drawn) <= 10 and ("comb" in drawn) == (kind == 'nurbs') and ("stripes" in drawn) == (kind == 'nurbs patch')
+    activate(*of_one.values())
     assert panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
-    layout = drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context)
-    assert set(layout.props) >= {known.identifier for known in chosen.bl_rna.properties if known.type == 'BOOLEAN'}
+    assert set(drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props) == switches
     bpy.context.view_layer.objects.active = None
     assert not panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
+
+
+def test_every_setting_of_a_sight_has_its_name_beside_it(chosen):
+    obs = [add(VALUES[kind](), kind) for kind in ('nurbs', 'nurbs patch')]
+    activate(*obs)
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_sight_settings, bpy.context)
+    others = {known.identifier for known in chosen.bl_rna.properties if known.type != 'BOOLEAN'} - {'rna_type', 'name'}
+    assert set(layout.props) == others and len(layout.props) == len(others) and not any(layout.texts), "each once, by its own name"

@@ -4,7 +4,7 @@ import bpy
 import pytest
 
 from curves import value_of
-from layouts import drawn_by, panels
+from layouts import Layout, drawn_by, panels
 from natives import native_curve
 from shapes import activate, add, enter, op
 from support import part, splinecore as sc
@@ -30,6 +30,12 @@ def cube():
     return bpy.context.object
 
 
+def text():
+    bpy.ops.object.text_add()
+    bpy.context.object.data.body = "Oi"
+    return bpy.context.object
+
+
 STATES = {
     'nothing': ((), set()),
     'a cube': ((cube,), set()),
@@ -44,6 +50,7 @@ STATES = {
     'a curve and a patch': ((patch, curve), set()),
     'a curve and one of Blender': ((native_curve, curve), {'make_exact', 'follow_object', 'add_ruled', 'add_loft', 'add_sweep'}),
     'a curve and a cube': ((cube, curve), {'add_revolve', 'add_extrude', 'add_pipe'}),
+    'a text': ((text,), {'make_exact'}),
 }
 OFFERED = [(state, name) for state, (_, names) in STATES.items() for name in sorted(names)]
 
@@ -92,3 +99,13 @@ def test_a_net_has_its_own_panel():
     enter()
     assert not start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
     assert any(panel.poll(bpy.context) for panel in panels() if hasattr(panel, 'poll'))
+
+
+def test_long_names_of_numbers_stand_before_their_fields():
+    activate(patch(), patch())
+    bpy.context.selected_objects[0].location.y = 5.0
+    bpy.context.view_layer.update()
+    op(bpy.ops.splinewright.add_surface_blend)
+    layout = Layout()
+    part('ui.recipe_props').draw(layout, bpy.context.object.data)
+    assert "Second Strength" in layout.texts and 'surface_blend_second_strength' in layout.props

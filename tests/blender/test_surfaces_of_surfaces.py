@@ -285,3 +285,11 @@ def test_the_open_end_of_a_tube_is_filled(continuity, other):
     source.location.z = 3.0
     bpy.context.view_layer.update()
     assert np.abs(corners_of(ob) - points - (0, 0, 3)).max() < 1e-5
+
+
+@pytest.mark.parametrize('both', (False, True))
+def test_what_is_matched_hides_what_it_lies_on(both):
+    """The surface that it is matched to stays beside it, unless it lies in the result, too."""
+    arch, far = add(ARCH, "arch"), add(FAR, "far")
+    make('matched', arch, far, continuity='G1', both=both)
+    assert arch.hide_get() and far.hide_get() == both

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from layouts import Layout
-from shapes import VALUES, add, enter, numbers_of, op, require_exact, select
+from shapes import VALUES, add, enter, leave, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 
 live, typed_number, weight_here, weighing = (part(name) for name in (
@@ -303,3 +303,34 @@ def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
     finally:
         state.pointed_knot = None
         sights.property_unset('strip')
+
+
+def tools_shown():
+    """The names of the tools of the toolbar of Edit Mode of meshes."""
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
+    found = VIEW3D_PT_tools_active.tools_from_context(bpy.context, mode='EDIT_MESH')
+    return [tool.idname for tool in VIEW3D_PT_tools_active._tools_flatten(found) if tool is not None]
+
+
+WITHOUT_MEANING = {f"builtin.{name}" for name in ('inset_faces', 'bevel', 'knife', 'bisect', 'poly_build', 'spin', 'rip_region', 'primitive_cube_add')}
+
+
+def test_the_toolbar_of_nets_has_no_tools_without_meaning_there():
+    """Meshes have them all, as before; so they do where the add-on is not."""
+    module = part('ui.net_toolbar')
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.ops.object.mode_set(mode='EDIT')
+    all_tools = tools_shown()
+    assert WITHOUT_MEANING <= set(all_tools)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    add(VALUES['nurbs patch']())
+    enter()
+    shown = tools_shown()
+    assert not WITHOUT_MEANING & set(shown) and {'builtin.move', 'builtin.extrude_region', 'builtin.loop_cut'} <= set(shown)
+    assert [name for name in all_tools if name in shown] == shown
+    module.unregister()
+    try:
+        assert tools_shown() == all_tools
+    finally:
+        module.register()
+    leave()

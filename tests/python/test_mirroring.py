@@ -188,3 +188,22 @@ def test_a_plane_that_the_shape_does_not_cross_is_suggested_before_others():
     waves = [sc.BezierCurve([(-1, y, 0), (-0.3, y, -1.5), (0.3, y, 1.5), (1, y, 0)]) for y in (0.0, 1.0, 2.0)]
     loft = core("definition").from_value(sc.build.loft(waves).value)
     assert core("mirroring").suggested_axis(loft, 0.01) == 'y'
+
+
+def suggested(value):
+    return core("mirroring").suggested_axis(definitions.from_value(value), 0.01)
+
+
+def test_the_plane_in_which_a_border_lies_is_suggested_and_else_the_nearest_one():
+    """A border on XZ; one nearest to XZ; a closed surface has none, and is nearest to XY itself."""
+    def strip(near):
+        return sc.NurbsPatch((1, 1), ([0, 0, 1, 1], [0, 0, 1, 1]), [[(1, near, 3), (3, near, 4)], [(1, 2, 3), (3, 2, 5)]])
+    assert suggested(strip(0.0)) == 'y' and suggested(strip(0.4)) == 'y' and suggested(strip(0.4).swapped()) == 'y'
+    assert suggested(sc.BezierCurve([(2, 5, 0.3), (3, 4, 7), (5, 9, 8)])) == 'z'
+    assert suggested(sc.build.torus((4, 5, 1), (0, 0, 1), 2.0, 0.4)) == 'z'
+
+
+def test_what_was_mirrored_across_is_said():
+    patch = sc.NurbsPatch((1, 1), ([0, 0, 1, 1], [0, 0, 1, 1]), [[(1, 0, 3), (3, 0, 4)], [(1, 2, 3), (3, 2, 5)]])
+    assert mirrored(sc.PatchSet.from_patches([patch]), axis='y').said.endswith("across the XZ plane of its origin")
+    assert mirrored(sc.PatchSet.from_patches([patch]), axis='y', frame=np.eye(4)).said.endswith("across the XZ plane of the plane object")

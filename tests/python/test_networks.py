@@ -276,3 +276,17 @@ def test_two_ribs_of_different_shape():
 def test_what_is_no_network_is_refused_by_name(along_u, along_v, words):
     with pytest.raises(sc.InvalidShape, match=words):
         build.network(along_u, along_v)
+
+
+def test_rings_that_begin_at_their_first_crossing_keep_their_domain():
+    """Where they begin again is what it was, to the last digit: no knot is nearly 0."""
+    random = np.random.default_rng(20261128)
+    for count in (2, 2, 2, 4, 4) * 8:
+        heights = np.linspace(0.0, 3.0, 2 + count)
+        rings = [sc.conics.ellipse((0, 0, z), (1 + 0.1 * z, 0, 0), (0, 0.6 + 0.1 * z, 0)).to_nurbs() for z in heights]
+        angles = np.linspace(0.0, 2 * np.pi, count, endpoint=False) + random.uniform(0.0, 1.0)
+        lines = [sc.fit.interpolate(np.array([((1 + 0.1 * z) * np.cos(a), (0.6 + 0.1 * z) * np.sin(a), z) for z in heights]), 1).value
+                 for a in angles]
+        value = sc.build.network(rings, lines, tolerance=1e-3).value
+        assert tuple(value.domain[0]) == tuple(rings[0].domain)
+        assert all(abs(knot) > 1e-9 or knot == 0.0 for knots in value.knots for knot in knots)

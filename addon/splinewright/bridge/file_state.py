@@ -22,6 +22,7 @@ class FileState:
     kept: set = field(default_factory=set)              # nets that were left by other ways and hold what no shape took
     sessions: dict = field(default_factory=dict)        # of a net's token its bridge.net.live.Session, or why there is none
     problems: dict = field(default_factory=dict)        # of a data-block its problems, by what they are about
+    magnets: dict = field(default_factory=dict)         # of a scene with a net out what bridge.net.magnet puts back
     drag: tuple = None                                  # the bridge.net.dragging.Drag that goes on, maybe
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes

@@ -1,12 +1,13 @@
 """Several shapes become one."""
 
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import bpy
 import numpy as np
 
 from ..core import patch_joints, transform
-from ..core.failures import Refusal, blenders_refusals
+from ..core.failures import AboutInputs, Refusal, blenders_refusals
 from . import (blocks, curve_pieces, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, replacing, shape, store,
                write_mesh)
 from .look import Look
@@ -93,18 +94,31 @@ def join_patches(active, other, first, second, smoothness, moves):
     if other is None:
         replacing.require_changeable(active.data)
         before = store.read(active.data)
-        found = patch_joints.joined(before, first, second, smoothness, moves, linear_of(active))
+        with _naming(active, active):
+            found = patch_joints.joined(before, first, second, smoothness, moves, linear_of(active))
         replacing.put(active.data, before, found.changed)
         return found
     parted = len(store.read(active.data).pieces)
     definition = together(active, [other])
-    found = patch_joints.joined(definition, first, second, smoothness, moves, linear_of(active), parted)
+    with _naming(active, other):
+        found = patch_joints.joined(definition, first, second, smoothness, moves, linear_of(active), parted)
     belongings = _belongings([active, other])
     shape.set_definition(active.data, found.changed.definition)
     _give(active, found.changed.definition, belongings)
     held.carry(active.data, belongings.seams, definition, found.changed.parents)
     _remove([other])
     return found
+
+
+@contextmanager
+def _naming(active, other):
+    """What is refused of the patches of two shapes names these, or the one that both are."""
+    try:
+        yield
+    except AboutInputs as error:
+        if active != other:
+            raise error.named([active.name, other.name]) from error
+        raise Refusal(error.text.removeprefix("{}, {}: ").removeprefix("{}: ").format()) from error
 
 
 def linear_of(ob):

@@ -85,7 +85,7 @@ def given(data, evaluated):
     if not len(chosen) or len(of(evaluated)) != len(is_given):
         return None, ""                 # items have come or gone since it was evaluated: it will be again
     if recipes.has(data):
-        return None, "its points come of a recipe, so keys move none of them: key its numbers"
+        return None, "its points are made by a recipe, so keys move none of them: key its numbers"
     definition, of_item = store.read(data), rows(data)
     is_there = (0 <= of_item[chosen]) & (of_item[chosen] < len(definition.pool))
     there = chosen[is_there]

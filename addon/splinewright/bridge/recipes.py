@@ -66,6 +66,13 @@ def pointers(data):
     return _pointed(data, _input_keys(data[KEY])) if store.is_group(data[KEY]) else []
 
 
+def is_from(data, obs):
+    """Whether a data-block, or none of ours, is made from one of these objects, or goes where they are."""
+    if not hasattr(data, 'splinewright_parameters') or not follows(data):
+        return False
+    return not obs.isdisjoint((*pointers(data), *frames(data)))
+
+
 def frames(data):
     """The objects whose place and axes alone count, as pointers()."""
     return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []

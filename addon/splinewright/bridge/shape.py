@@ -15,6 +15,13 @@ from . import (blocks, curve_layers, fineness, handles, held, keyed_seams, mesh_
 from .file_state import key, state
 
 
+def file_of(ob):
+    """The name of the file from which an object or what it shows is linked; "" where both are of this file."""
+    overridden = ob.data.override_library.reference if ob.data.override_library else None
+    found = [block.library for block in (ob.data, ob, overridden) if block and block.library]
+    return bpy.path.basename(found[0].filepath) or "another file" if found else ""
+
+
 def has_shape(ob):
     """Whether the object is a shape of ours."""
     return ob is not None and ob.type in ('MESH', 'CURVE') and is_shape(ob.data)

@@ -33,6 +33,13 @@ class Survey(NamedTuple):
     bendable: int = 0                   # knots inside patches at which a crease may come about
 
 
+def in_words(measured, degree):
+    """Parametric and geometric continuity in one word, where so many derivatives are all."""
+    if measured.c < 0:
+        return "gap"
+    return "C∞" if measured.c >= degree else f"C{measured.c} G{measured.g}"
+
+
 def surveyed(definition, limit):
     """The Survey of a definition of curves, piece by piece, of so many joints at most.
 

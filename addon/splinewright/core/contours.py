@@ -29,6 +29,18 @@ class Contour(NamedTuple):
             return self._replace(points=(tuple(point),))
         return self._replace(points=(*self.points, tuple(point)), kinds=(*self.kinds, kind))
 
+    def without_repeats(self):
+        """Without points that lie where the one before them lies, and the parts that lead there."""
+        kept = [i for i in range(len(self.points)) if i == 0 or self.points[i] != self.points[i - 1]]
+        is_back = self.closed and len(kept) > 2 and self.points[kept[-1]] == self.points[0]
+        found = self._replace(points=tuple(self.points[i] for i in kept), kinds=tuple(self.kinds[i - 1] for i in kept[1:]))
+        return found._replace(points=found.points[:-1], kinds=found.kinds[:-1], closing=found.kinds[-1]) if is_back else found
+
+    def sides(self):
+        """Numbers, from 1, of the sides that are arcs; that to the first point again is the last."""
+        of_all = (*self.kinds, self.closing) if self.closed else self.kinds
+        return [i + 1 for i, kind in enumerate(of_all) if kind == ARC]
+
     def shortened(self):
         return self._replace(points=self.points[:-1], kinds=self.kinds[:-1])
 
@@ -68,6 +80,12 @@ def curve_of(contour, radius=0.0):
     size = np.abs(np.array(contour.points)).max()
     whole = sc.build.join_curves(parts, _ROUNDING * size)[0]
     return whole.rounded(radius) if radius > 0 else whole
+
+
+def through(points, arcs, closed):
+    """A Contour through points (n, 3) of which the sides with these numbers, from 1, are arcs; numbers of none count nothing."""
+    kinds = [ARC if i + 1 in arcs else SEGMENT for i in range(len(points))]
+    return Contour(tuple(map(tuple, points)), tuple(kinds[:len(points) - 1]), closed, kinds[-1])
 
 
 def text_of(contour):

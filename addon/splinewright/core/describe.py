@@ -2,6 +2,8 @@
 
 import numpy as np
 
+#: Knots below this part of the largest one are shown as 0.
+_ROUNDING = 1e-12
 KINDS = {'bezier': "Bezier", 'hermite': "Hermite", 'nurbs': "NURBS"}
 
 
@@ -47,7 +49,8 @@ def knot_type(knots, degree, periodic):
 
 def knots_text(knots, limit=12):
     """The knots as short numbers, the middle left out where there are many."""
-    texts = [f"{knot:.4g}" for knot in knots]
+    rounding = _ROUNDING * max(map(abs, knots), default=0.0)
+    texts = ["0" if abs(knot) <= rounding else f"{knot:.4g}" for knot in knots]
     if len(texts) > limit:
         texts = texts[:limit // 2] + ["…"] + texts[-limit // 2:]
     return " ".join(texts)

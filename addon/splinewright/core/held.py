@@ -78,6 +78,15 @@ def can_hold(definition, first, second):
     return is_there(definition, held) if definition.has_curves else are_one(definition, held)
 
 
+def why_not(definition, first, second):
+    """Why nothing can hold between two sides of patches, as a sentence, or ""."""
+    if definition.has_curves or can_hold(definition, first, second):
+        return ""
+    if first[0] == second[0]:
+        return "A patch does not hold to itself: Make Periodic closes it"
+    return "Two edges that only lie on each other do not hold: Join Patches makes them one"
+
+
 def _room(definition):
     return held_joints if definition.has_curves else held_seams
 

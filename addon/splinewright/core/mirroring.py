@@ -62,7 +62,8 @@ class _Half(NamedTuple):
 
 def suggested_axis(definition, gap):
     """The one of x, y and z on whose plane through the origin most ends or borders lie, of those that the shape does not cross where
-    there are any; x where none does. A plane in which all lies is none."""
+    there are any; where none does the one to which an end or border is nearest, or of a shape without any the shape itself. A plane
+    in which all lies is none."""
     pieces = [piece.to_nurbs() for piece in verbs.pieces_of(definition)]
     planes = {name: Plane(np.zeros(3), normal) for name, normal in zip('xyz', np.eye(3))}
     halves = {name: [_half(piece, plane, gap, False) for piece in pieces] for name, plane in planes.items()}
@@ -72,8 +73,20 @@ def suggested_axis(definition, gap):
     def rank(name):
         count = sum(len(half.rows) for half in halves[name])
         is_crossed = heights[name].min(initial=0.0) < -gap and heights[name].max(initial=0.0) > gap
-        return count > 0 and not is_crossed, count
+        return count > 0 and not is_crossed, count, not is_crossed, -_nearest(halves[name], heights[name], planes[name])
     return max(possible or planes, key=rank)
+
+
+def _nearest(halves, heights, plane):
+    """How near to a plane the nearest whole end or border is; without any, the nearest control point."""
+    borders = [np.abs(plane.heights(_row(half.value.points, axis, i))).max() for half in halves for axis, i in _borders(half.value)]
+    return min(borders, default=np.abs(heights).min(initial=np.inf))
+
+
+def _borders(value):
+    """Pairs of an axis and an index: the first and last rows of control points that are places, where they end."""
+    return [(axis, i) for axis, i in _SIDES if axis < value.points.ndim - 1 and not _is_periodic(value, axis)
+            and (_row(value.weights, axis, i) != 0.0).all()]
 
 
 def _heights(halves, plane):
@@ -83,8 +96,7 @@ def _heights(halves, plane):
 
 def _half(piece, plane, gap, is_smooth):
     clamped = _clamped(piece)
-    rows = [(axis, i) for axis, i in _SIDES if axis < clamped.points.ndim - 1 and not _is_periodic(clamped, axis)
-            and _is_near(_row(clamped.points, axis, i), _row(clamped.weights, axis, i), plane, gap)]
+    rows = [(axis, i) for axis, i in _borders(clamped) if _is_near(_row(clamped.points, axis, i), plane, gap)]
     clamped = _with_rows_beside(clamped, rows) if is_smooth else clamped
     points, weights = clamped.points.copy(), clamped.weights
     for axis, i in rows:
@@ -121,8 +133,8 @@ def _row(array, axis, i):
     return array[(slice(None),) * axis + (i,)]
 
 
-def _is_near(points, weights, plane, gap):
-    return bool((weights != 0.0).all()) and bool((np.abs(plane.heights(points)) <= gap).all())
+def _is_near(points, plane, gap):
+    return bool((np.abs(plane.heights(points)) <= gap).all())
 
 
 def _straighten(points, weights, axis, i, plane):

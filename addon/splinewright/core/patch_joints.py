@@ -1,5 +1,6 @@
 """Two patches brought together along a side of each (lecture row S21)."""
 
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -7,7 +8,7 @@ import numpy as np
 
 from . import definition as definitions
 from . import patch_curves, seams, sewing, verbs
-from .failures import Refusal
+from .failures import AboutInputs, Refusal, about_input
 from .library import sc
 
 #: For continuity, in the order in which it asks for more.
@@ -43,15 +44,19 @@ def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parte
 
     first, second: Choices. moves: 'second', 'first' or 'both'. linear: (3, 3), what takes the points to the space in
     which distances are measured. parted: `first` is one of so many patches at the beginning, `second` one of the rest,
-    counted from there. Raises Refusal where there are no such sides, or they cannot be joined.
+    counted from there. Raises Refusal where there are no such sides, or they cannot be joined: AboutInputs, of which number 0 is what
+    has the first patch, 1 what has the second.
     """
     patches = verbs.pieces_of(definition)
     if len(patches) < 2:
         raise Refusal("it has one patch: select two shapes to join, or Make Periodic to close it")
-    rows = _sides(patches, 0, parted or len(patches), first, linear)
-    columns = _sides(patches, parted or 0, len(patches), second, linear)
+    with about_input(0):
+        rows = _sides(patches, 0, parted or len(patches), first, linear)
+    with about_input(1):
+        columns = _sides(patches, parted or 0, len(patches), second, linear)
     (a, side_a), (b, side_b) = _nearest(rows, columns)
-    found = sc.build.join_patches(patches[a], side_a, patches[b], side_b, smoothness, moves)
+    with _about_both():
+        found = sc.build.join_patches(patches[a], side_a, patches[b], side_b, smoothness, moves)
     after = list(patches)
     after[a], after[b] = found.first, found.second
     made = _with_neighbors(definition, ((a, found.first), (b, found.second)))
@@ -59,7 +64,16 @@ def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parte
     changed = verbs.Changed(made, tuple(range(len(after))), max(found.first_error, found.second_error))
     apart = tuple((i + 1, j + 1) for i, j in seams.opened(definition, made, changed.parents))
     return Joined(changed, (a + 1, side_a, found.first_error), (b + 1, side_b, found.second_error),
-                  sc.seam_continuity(found.first, side_a, found.second, side_b), apart)
+                  seams.measured(found.first, side_a, found.second, side_b), apart)
+
+
+@contextmanager
+def _about_both():
+    """What the library refuses of two patches."""
+    try:
+        yield
+    except sc.InvalidShape as error:
+        raise AboutInputs("{}, {}: " + str(error).replace("{", "{{").replace("}", "}}"), 0, 1) from error
 
 
 def _with_neighbors(definition, moved):

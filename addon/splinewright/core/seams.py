@@ -6,6 +6,7 @@ import numpy as np
 
 from . import definition as definitions
 from .continuity import Joint, Survey
+from .continuity import in_words as continuity_in_words
 from .creases import creases_of
 from .joints import SMOOTH
 from .library import sc
@@ -77,9 +78,19 @@ def _is_periodic(definition, first, second):
     return first[0] == second[0] and first[1][0] == second[1][0] and any(periodic) and periodic['uv'.index(first[1][0])]
 
 
+def measured(first, first_side, second, second_side):
+    """The splinecore SeamContinuity that is shown of two patches, wherever it is shown."""
+    return sc.seam_continuity(first, first_side, second, second_side, tolerance=SMOOTH)
+
+
+def in_words(found):
+    """Parametric and geometric continuity of a SeamContinuity in one word."""
+    return continuity_in_words(found, _MORE)
+
+
 def _measured(patch_set, first, second):
     try:
-        return sc.seam_continuity(patch_set[first[0]], first[1], patch_set[second[0]], second[1], tolerance=SMOOTH)
+        return measured(patch_set[first[0]], first[1], patch_set[second[0]], second[1])
     except (sc.InvalidShape, sc.PointAtInfinity):
         return None
 

@@ -19,7 +19,7 @@ def patches_of(definition):
 def sewn(before, patches, parents, joined=()):
     """The definition of patches, each of which came of the piece of `before` whose number is in `parents`.
 
-    A patch that is as it was keeps its rows of the pool. On the borders of others equal points are one row where both
+    A patch that is as it was keeps its rows of the pool, but for those that it is to share. On the borders of others equal points are one row where both
     came of one piece, or of two that shared a row; within one patch, where its border had points in one row.
     joined: pairs of numbers of patches that share their points from now on.
     """
@@ -55,15 +55,18 @@ class _Links:
         self._parents = parents
         self._joined = {pair for a, b in joined for pair in ((a, b), (b, a))}
 
+    def are_joined(self, a, b):
+        return (a, b) in self._joined
+
     def __call__(self, a, b):
         parent, other = self._parents[a], self._parents[b]
         if a == b:
             return self._are_folded[parent]
-        return parent == other or (a, b) in self._joined or not self._rows[parent].isdisjoint(self._rows[other])
+        return parent == other or self.are_joined(a, b) or not self._rows[parent].isdisjoint(self._rows[other])
 
 
 def _rows(pool, kept, pieces, are_linked):
-    """For each row of the pool the one to take in its place. The first `kept` rows stay."""
+    """For each row of the pool the one to take in its place. The first `kept` rows stay, unless patches are joined that have them."""
     rows = [np.unique(_border(piece)) for piece in pieces]
     owners = np.repeat(np.arange(len(pieces)), list(map(len, rows)))
     rows = np.concatenate(rows)
@@ -71,7 +74,8 @@ def _rows(pool, kept, pieces, are_linked):
     for cluster in _clusters(_scaled(pool)[rows]):
         known = []
         for row, owner in sorted(zip(rows[cluster].tolist(), owners[cluster].tolist())):
-            same = (other for other, its in known if are_linked(owner, its)) if row >= kept else ()
+            are_one = are_linked if row >= kept else are_linked.are_joined
+            same = (other for other, its in known if are_one(owner, its))
             row_of[row] = row_of[next(iter(same), row)]
             known.append((row, owner))
     return row_of

@@ -6,8 +6,8 @@ import bpy
 
 from ..bridge import held, replacing, store, surveys
 from ..bridge.net import live, net_object
-from ..core import held_joints, parameters
-from ..core.held import can_hold
+from ..core import continuity, held_joints, parameters
+from ..core.held import can_hold, why_not
 from . import colors, hand, texts
 from .sub_panel import SubPanel
 
@@ -69,17 +69,33 @@ class _Locks:
             layout.operator(f"splinewright.release_{self._of}", text="Release All")
             self._known = {}
         self._can_change = replacing.can_change(data)
+        self.reasons = []               # why some may not, each once
 
     def holds(self, joint):
         """What holds there, or None."""
         return self._known.get(frozenset(joint.sides)) if joint.sides else None
 
+    def _draw_way(self, layout, first, second):
+        """Keep in words why a joint may not hold, and of two edges that lie on each other draw the button that makes them one."""
+        reason = why_not(self._definition, first, second)
+        if reason and reason not in self.reasons:
+            self.reasons.append(reason)
+        if not reason or first[0] == second[0]:
+            return
+        layout = layout.row()
+        layout.enabled = self._can_change
+        operator = layout.operator("splinewright.join_patches", text="", icon='UNLINKED')
+        operator.continuity = 'C0'
+        operator.first, operator.second = first[0] + 1, second[0] + 1
+        operator.first_side, operator.second_side = first[1], second[1]
+
     def draw(self, layout, joint):
-        """Its button, if it may hold."""
+        """Its button, if it may hold; else what helps."""
         if not joint.sides:             # a crease inside a patch
             return
         (first, second), holds = joint.sides, self.holds(joint)
         if not holds and not can_hold(self._definition, first, second):
+            self._draw_way(layout, first, second)
             return
         layout = layout.row()
         layout.enabled = self._can_change
@@ -103,6 +119,8 @@ def _draw_joints(layout, survey, locks):
         row.label(text=kind(joint))
         locks.draw(row, joint)
         _draw_in_columns(box, numbers(joint))
+    for reason in locks.reasons:
+        texts.draw_note(layout, reason)
     hidden = survey.count - len(survey.joints)
     if hidden:
         layout.label(text=f"and {hidden:,} more")
@@ -110,12 +128,7 @@ def _draw_joints(layout, survey, locks):
 
 def kind(joint):
     """Parametric and geometric continuity in one word."""
-    measured = joint.continuity
-    if measured is None:
-        return ""
-    if measured.c < 0:
-        return "gap"
-    return "C∞" if measured.c >= joint.degree else f"C{measured.c} G{measured.g}"
+    return "" if joint.continuity is None else continuity.in_words(joint.continuity, joint.degree)
 
 
 def numbers(joint):

@@ -7,7 +7,7 @@ import bpy
 
 from ..bridge import point_keys, problems, recipes, remaking, shape, store
 from ..bridge.file_state import block_of, ended_operators, key, state
-from ..bridge.net import free_net, live, net_object, selection
+from ..bridge.net import free_net, live, magnet, net_object, selection
 from ..core.failures import FAILURES, Refusal, sentence, told
 from . import progress
 
@@ -116,7 +116,14 @@ def enter(context, active, progress=shape.no_progress):
     for ob in put_out:
         if ob not in made:
             live.pull(ob)
+    settle_magnet()
     return put_out
+
+
+def settle_magnet():
+    """What moves with nets is no target of Blender's magnet, and all else is."""
+    for scene in bpy.data.scenes:
+        magnet.settle(scene, nets())
 
 
 def _put_out(context, ob):
@@ -182,6 +189,7 @@ def leave(context, progress=shape.no_progress):
     for copy in nets():
         if copy.mode == 'OBJECT' and net_object.token(copy.data) in tokens:
             put_away(context, copy)
+    settle_magnet()
     return lost
 
 
@@ -200,6 +208,7 @@ def put_away(context, ob):
     net_object.remove(ob)
     if owner is None:
         return
+    magnet.readmit(owner)
     _settle(owner)
     if _is_in(layer, owner) and (was_active or was_selected):
         for other in filter(None, map(layer.objects.get, others)):
@@ -255,6 +264,7 @@ def sweep():
             _sweep(ob)
         except Exception as error:
             problems.tell(ob.data, problems.NET, told(error))
+    settle_magnet()
 
 
 def _sweep(ob):
@@ -306,6 +316,8 @@ def end():
             live.pull(ob)
             if not live.unread(ob):
                 put_away(context, ob)
+    for scene in bpy.data.scenes:
+        magnet.settle(scene, ())
 
 
 def settle():

@@ -88,6 +88,7 @@ def undone(*_):
     live.trust()
     _keep_frame()
     _pull_all()
+    editing.settle_magnet()
     messages.refresh()
     if state.followers or state.stopped:
         follow.look_for_inputs()

@@ -7,6 +7,7 @@ import bpy
 _ITEMS = (
     ('Object Non-modal', "splinewright.edit_net", 'TAB', None),
     ('Object Non-modal', "splinewright.edit_source", 'TAB', None),
+    ('Object Non-modal', "splinewright.edit_linked", 'TAB', None),
     ('Object Non-modal', "splinewright.leave_net", 'TAB', None),
     ('Object Mode', "splinewright.join", 'J', 'ctrl'),
     ('Mesh', "splinewright.insert_here", 'R', 'ctrl'),

@@ -6,6 +6,7 @@ Where a menu belongs in Blender says menus.py, too. An operator stands in one me
 from typing import NamedTuple
 
 from . import kinds
+from .operators.show_sights import SIGHTS
 
 CURVE, PATCH, NATIVE, BAKED = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked'))
 SHAPES, FOLLOWED = kinds.SHAPES, kinds.FOLLOWED
@@ -15,13 +16,15 @@ ANY = None
 
 
 class Entry(NamedTuple):
-    """An operator. concerns: the kinds of objects, of ui.kinds; changes: whether it changes what shapes are, so that it is grey
-    where that is not to be changed."""
+    """An operator. concerns: the kinds of objects, of ui.kinds; changes: whether it changes what shapes are, so that it is gray
+    where that is not to be changed; text: what it says, if that is not the operator's own; settings: pairs of names and values."""
 
     operator: str
     concerns: frozenset = SHAPES
     icon: str = 'NONE'
     changes: bool = False
+    text: str = ""
+    settings: tuple = ()
 
 
 class Menu(NamedTuple):
@@ -78,7 +81,7 @@ BY_CLICK = Menu('by_click', "By Click", (
     *_others(PATCH, 'join_here', 'extract_here', 'extract_side_here', 'round_here'), None,
     *_others(SHAPES, 'measure_here', 'pick_piece')), 'EYEDROPPER')
 CONVERT = Menu('convert', "Convert", (
-    *_others(NATIVE, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
+    *_others(kinds.INEXACT, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
     'FILE_REFRESH')
 
 FROM_OBJECTS = Menu('curve_from_objects', "Curve from Objects", (
@@ -106,16 +109,18 @@ ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 TEACHING = Menu('teaching', "Teaching", (
     *_made(CURVE, ('basis', 'NONE'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas')), 'HELP')
+SHOW = Menu('show', "Show", tuple(Entry('show_sight', text=sight.label, settings=(('sight', name),)) for name, sight in SIGHTS.items()),
+            'OVERLAY')
 
 #: In the header and in the context menu, in Object Mode.
 OBJECT = Menu('object', "NURBS", (
     Entry('edit_net', icon='EDITMODE_HLT'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
-    FROM_OBJECTS, FROM_CURVES, FROM_SURFACES, POINTS, None, CONSTRUCTION, ANIMATION, TEACHING), 'SURFACE_DATA')
+    FROM_OBJECTS, FROM_CURVES, FROM_SURFACES, POINTS, None, CONSTRUCTION, ANIMATION, TEACHING, SHOW), 'SURFACE_DATA')
 #: The same while nets are edited.
 NET = Menu('net', "NURBS", (
     Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     *_others(SHAPES, 'weight_here'), *_others(CURVE, 'radius_here', 'tilt_here'),
-    Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION), 'SURFACE_DATA')
+    Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION, SHOW), 'SURFACE_DATA')
 
 # Add ----------------------------------------------------------------------------------------------
 

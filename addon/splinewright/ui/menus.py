@@ -26,7 +26,9 @@ def _draw_entry(layout, entry, context):
         return
     row = layout.row()
     row.enabled = not offered.is_grey(entry, hand.shapes(context))
-    row.operator(f"splinewright.{entry.operator}", text=offered.text_of(entry.operator), icon=entry.icon)
+    button = row.operator(f"splinewright.{entry.operator}", text=entry.text or offered.text_of(entry.operator), icon=entry.icon)
+    for name, value in entry.settings:
+        setattr(button, name, value)
 
 
 def _is_shown(entry, context):
@@ -103,7 +105,7 @@ def _draw_convert(self, context):
     found = kinds.selected(context)
     if found:
         self.layout.separator()
-    if 'native' in found:
+    if kinds.INEXACT & found:
         self.layout.operator("splinewright.make_exact", text="NURBS Shape (Exact)")
     if any(map(read_polygons.is_mesh, context.selected_objects)):
         self.layout.operator("splinewright.add_of_mesh", text="NURBS of Mesh")

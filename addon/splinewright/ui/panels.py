@@ -6,6 +6,7 @@ from ..bridge import baking, derived, follow, placing, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
 from . import manual, net_panel, recipe_props, settings_panel, texts
+from .operators import edit_linked
 
 
 class _ShapePanel:
@@ -67,6 +68,10 @@ def _draw_pinned(layout, data):
 def _draw_state(layout, ob):
     """The way into the net, or why there is none."""
     data = ob.data
+    if shape.file_of(ob):
+        texts.draw_note(layout, edit_linked.told(ob), icon='LIBRARY_DATA_DIRECT')
+        edit_linked.draw_button(layout.row())
+        return
     if ob.mode == 'EDIT':
         texts.draw_problem(layout, "This is the result, not the net: what is changed here is changed by hand")
         column = layout.column(align=True)

@@ -1,4 +1,4 @@
-"""What is done most with a net, around the mouse."""
+"""The most common commands for nets, around the mouse."""
 
 import bpy
 
@@ -28,7 +28,7 @@ class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
 class SPLINEWRIGHT_OT_pie(bpy.types.Operator):
     bl_idname = "splinewright.pie"
     bl_label = "Net Pie"
-    bl_description = "What is done most with a net, around the mouse"
+    bl_description = "The most common commands for nets, around the mouse"
     bl_options = {'INTERNAL'}
 
     @classmethod

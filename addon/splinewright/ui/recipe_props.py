@@ -3,6 +3,8 @@
 Numbers are kept in float64 beside the definition; properties only show and change them.
 """
 
+from functools import partial
+
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
@@ -15,6 +17,8 @@ from . import inputs_list, texts
 
 #: Characters of a label for which a third of the width is enough.
 _SHORT = 7
+#: Those of one that fits a field beside its number, in a sidebar as wide as at first.
+_FITS = 11
 
 
 def property_of(parameter, **more):
@@ -141,7 +145,7 @@ def draw(layout, data, is_net_out=False):
         row = column.row(align=True)
         row.enabled = not is_net_out
         row.prop(parameters.of(data), _length_name(recipe, i))
-    for parameter in recipe.parameters:
+    for parameter in recipe.counting(parameters.of(data), partial(parameters.name_of, recipe)):
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
         if isinstance(parameter.default, str):
@@ -150,6 +154,10 @@ def draw(layout, data, is_net_out=False):
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
             if parameter.name == 'edges':
                 row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
+        elif len(parameter.label) > _FITS and not isinstance(parameter.default, bool):
+            row = row.split(factor=0.6, align=True)
+            row.label(text=parameter.label)
+            row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     if recipe.has_more:

@@ -11,7 +11,7 @@ from bpy.app.handlers import persistent
 
 from ..bridge import problems
 from ..bridge.file_state import state
-from ..bridge.net import live, net_object
+from ..bridge.net import live, magnet, net_object
 from ..core.failures import told
 from . import editing
 
@@ -53,6 +53,7 @@ def _suspend(scene, layer, members):
     for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
+    magnet.settle(scene, ())
     _select_shapes(layer, [ob for ob, collections in zip(members, taken) if collections])
     return _Suspended(scene, layer, members, taken)
 
@@ -102,6 +103,7 @@ def _put_back(suspended):
     layer.objects.active = members[0]
     with _at(scene, layer, members[0]):
         bpy.ops.object.mode_set(mode='EDIT')
+    magnet.settle(scene, editing.nets())
 
 
 def _at(scene, layer, active):

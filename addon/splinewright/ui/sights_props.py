@@ -100,7 +100,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
                ('SMALLEST', "Smallest Principal", "The smaller one of both principal curvatures")),
         default='GAUSS', options=set())
     curvature_range: FloatProperty(
-        name="Range",
+        name="Range of Curvature",
         description="The curvature from which on colours stay the same; 0: so that nine tenths of the surface differ",
         default=0.0, min=0.0, max=1e12, soft_max=100.0, precision=4, options=set())
     deviation: _switch(
@@ -111,7 +111,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
         "changes them; others by the faces that are shown of them, or their edges, or their points",
         type=bpy.types.Object, poll=_may_be_measured_to, options=set())
     deviation_range: FloatProperty(
-        name="Range", description="The distance from which on colours stay the same; 0: the largest one that there is",
+        name="Range of Distances", description="The distance from which on colours stay the same; 0: the largest one that there is",
         default=0.0, min=0.0, max=1e12, soft_max=100.0, precision=4, subtype='DISTANCE', options=set())
 
 

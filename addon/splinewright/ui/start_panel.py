@@ -19,10 +19,10 @@ _JOIN_MANY = ("Join", ('join',))
 def groups(obs, active):
     """Pairs of a label and names of operators, for the selected objects and the active one."""
     found = [kinds.of(ob) for ob in obs]
-    count = {kind: found.count(kind) for kind in kinds.ALL}
+    count = {kind: found.count(kind) for kind in kinds.ALL | kinds.INEXACT}
     curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
     made = [_NATIVE] if count['native'] and kinds.of(active) in kinds.FOLLOWED else []
-    made += [("Exact", ('make_exact',))] if count['native'] and not made else []
+    made += [("Exact", ('make_exact',))] if count['native'] + count['text'] and not made else []
     for kind in sorted(kinds.SHAPES):
         if count[kind] > 1 and active in obs and kinds.of(active) == kind:
             made.append(_JOIN[kind] if len(obs) == 2 else _JOIN_MANY)

@@ -46,7 +46,7 @@ BesideEdge beside_edge(NurbsPatch first, NurbsPatch second, double tolerance, do
     return {closed_up(first), closed_up(second), false, {}};
   }
   if (auto found = beside_rim(first, second, tolerance)) return *std::move(found);
-  throw InvalidShape("the sides are not one edge, run through at one pace: they lie " + text_of(gap * unit) + " apart");
+  throw InvalidShape("the sides are not one edge with the same parameters along it: they lie " + text_of(gap * unit) + " apart");
 }
 
 /// Where the contact with a patch is less smooth than the patch: at its own knots, for the ball goes by its tangent planes, and where

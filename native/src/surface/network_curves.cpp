@@ -153,11 +153,10 @@ bool runs_against(const NurbsCurve& curve, const std::vector<double>& at, const 
 }
 
 /// From the first crossing on, once round, over one period that begins there.
-/// @returns where in it the curve began before
-double begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
+FormerSeam begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
   if (!curve.periodic()) curve = made_periodic(curve).value;
-  const double before = curve.domain().start;
-  const double period = curve.domain().length();
+  const Interval before = curve.domain();
+  const double period = before.length();
   constexpr double kSame = 0x1p-40;
   const double near = std::max(kSame, knot_rounding(curve.domain())) * period;
   const double start = curve.knot_vector().admit(near_knot(curve.knot_vector(), at.front(), near), Side::right);
@@ -168,7 +167,7 @@ double begin_at_first(NurbsCurve& curve, std::vector<double>& at) {
   }
   at.front() = start;
   at.push_back(curve.domain().end);
-  return before < start ? before + period : before;
+  return {before.start < start ? before.start + period : before.start, before};
 }
 
 /// The length of the control polygon.

@@ -11,13 +11,18 @@ namespace splinecore {
 
 /// The curves of one direction of a network, in order, each run through in one direction, from the first of the others
 /// to the last, or if closed from the first one round to it again.
+/// Where a closed curve that begins elsewhere now began before, and over which domain it ran then.
+struct FormerSeam {
+  double at;
+  Interval domain;
+};
+
 struct NetworkFamily {
   std::vector<NurbsCurve> curves;
   /// [i][j]: where curve i meets curve j of the others; if closed one more, a period behind the first.
   std::vector<std::vector<double>> crossings;
   std::vector<std::size_t> order{};  ///< which of the given ones each is
-  /// Of closed ones: where in their domain they began before.
-  std::vector<double> seams{};
+  std::vector<FormerSeam> seams{};  ///< of closed ones
   bool is_closed = false;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "curve/near_knot.hpp"
 #include "patch/lines.hpp"
 #include "span_places.hpp"
 #include "splinecore/base/pause.hpp"
@@ -66,16 +67,22 @@ double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
   return largest;
 }
 
+/// The known interval where the other one differs from it by rounding alone.
+Interval unless_rounding(Interval known, Interval found) {
+  const double slack = knot_rounding(known) * known.length();
+  const bool is_one = std::abs(found.start - known.start) <= slack && std::abs(found.end - known.end) <= slack;
+  return is_one ? known : found;
+}
+
 NurbsPatch begun_at(const NurbsPatch& patch, Axis axis, const NetworkFamily& family, const NetworkFamily& others) {
   if (!family.is_closed || others.is_closed) return patch;
   const std::size_t kept = family.order.front() < family.order.back() ? 0 : family.curves.size() - 1;
-  const double seam = family.seams[kept];
+  const double seam = family.seams[kept].at;
   const Interval domain = patch.knot_vector(axis).domain();
   if (seam == domain.start || seam == domain.end) return patch;
-  const double period = domain.length();
   const NurbsPatch turned = along(patch, axis, [&](const NurbsCurve& line) { return with_seam_at(line, seam); });
-  const double before = seam >= domain.start + period ? seam : seam - period;
-  return with_domain(turned, axis, {before, before + period});
+  const double start = seam >= domain.end ? seam : seam - domain.length();
+  return with_domain(turned, axis, unless_rounding(family.seams[kept].domain, {start, start + domain.length()}));
 }
 
 }  // namespace

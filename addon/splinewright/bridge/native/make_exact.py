@@ -1,15 +1,19 @@
-"""Blender's own curves and surfaces become shapes, in their place."""
+"""Blender's own curves, surfaces and texts become shapes, in their place."""
 
 from typing import NamedTuple
 
+import bpy
 import numpy as np
 
-from ...core.failures import Refusal
+from ...core.failures import Refusal, blenders_refusals
 from ...core.handles import fitting
 from ...core.native import native_density
 from .. import blocks, curve_pieces, handles, mesh_looks, settings, shape, store, versions
 from ..look import Look
-from . import measure_native, native_layers, native_links, native_splines, read_native, retype
+from . import measure_native, native_layers, native_links, native_splines, read_native, retype, staging
+
+#: Of objects that can be made exact.
+TYPES = ('CURVE', 'SURFACE', 'FONT')
 
 
 class Outcome(NamedTuple):
@@ -20,13 +24,15 @@ class Outcome(NamedTuple):
 
 
 def make_exact(context, ob):
-    """Make the data-block of a CURVE or SURFACE object a shape, and so of all objects that share it.
+    """Make the data-block of a CURVE, SURFACE or FONT object a shape, and so of all objects that share it.
 
-    A curve keeps its data-block. A surface becomes a mesh, and the objects stay the same objects.
+    A curve keeps its data-block. A surface becomes a mesh, a text a curve, and the objects stay the same objects.
     Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     users = native_links.users_of(ob.data)
     _require_native(ob, users)
+    if ob.type == 'FONT':
+        _become_curve(context, ob)
     reading = read_native.read(ob)
     if reading.value is None:
         raise Refusal("; ".join(["nothing to make exact", *reading.dropped]))
@@ -39,8 +45,8 @@ def make_exact(context, ob):
 
 
 def _require_native(ob, users):
-    if ob.type not in ('CURVE', 'SURFACE'):
-        raise Refusal("it is no curve or surface")
+    if ob.type not in TYPES:
+        raise Refusal("it is no curve, surface or text")
     if store.has_definition(ob.data):
         raise Refusal("it is exact already")
     for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:
@@ -48,6 +54,19 @@ def _require_native(ob, users):
             raise Refusal(f"{block.name} is linked from another file and cannot be changed here")
     if ob.data.is_editmode:
         raise Refusal("leave Edit Mode first")
+
+
+def _become_curve(context, ob):
+    """Of the outlines of its letters."""
+    shown = ob.to_curve(context.evaluated_depsgraph_get())
+    has_letters = len(shown.splines) > 0
+    ob.to_curve_clear()
+    if not has_letters:
+        raise Refusal("its text has no letters that are seen")
+    with staging.alone(context, ob), blenders_refusals():
+        bpy.ops.object.convert(target='CURVE')
+    if ob.type != 'CURVE':
+        raise Refusal(f"Blender did not convert {ob.name}")
 
 
 def _curve(context, ob, reading, users):

@@ -1,6 +1,7 @@
 """Conics (lecture row S10)."""
 
 import math
+from dataclasses import replace
 
 from .. import deformable
 from ..failures import Refusal
@@ -13,7 +14,9 @@ _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", ch
     ("halves", "Halves", "Two halves, each with a point at infinity"),
     ("single", "Single", "One span of degree 5, all weights positive"),
     ("deformable", "Deformable", "No exact one: cubic, without weights and smooth everywhere, to be sculpted; within the tolerance")))
-DEVIATION = Parameter("tolerance", "Tolerance", "How far a deformable one may lie from the exact one", 1e-3, 1e-9, unit='LENGTH')
+DEVIATION = Parameter("tolerance", "Tolerance", "How far a deformable one may lie from the exact one", 1e-3, 1e-9, unit='LENGTH',
+                      where=("deformable", (True,)))
+_OF_FORM = replace(DEVIATION, where=("form", ("deformable",)))
 
 #: They are half diameters where the points do not lie at right angles.
 _HALF_AXES = (("Half Axis A", "From the centre to the first end, in units of the object; the end moves along it", 0, 1),
@@ -87,7 +90,7 @@ RECIPES = (
            _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0)), is_endless=True),
     Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
            ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)), is_endless=True),
-    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM, DEVIATION), _ellipse,
+    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM, _OF_FORM), _ellipse,
            ((0, 0, 0), (1, 0, 0), (0, 0.6, 0)), lengths=_HALF_AXES),
     Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
            _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0)), lengths=_HALF_AXES),
@@ -101,12 +104,12 @@ RECIPES = (
                ("a", "x²", 1.0), ("b", "xy", 0.0), ("c", "y²", 4.0), ("d", "x", 0.0), ("e", "y", 0.0),
                ("f", "1", -1.0))), _equation),
     Recipe("circle", "Circle", "An exact circle in one of the usual NURBS forms, or a deformable one",
-           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM, DEVIATION), _circle),
+           (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'), _FORM, _OF_FORM), _circle),
     Recipe("arc", "Circular Arc", "An exact arc of a circle",
            (Parameter("radius", "Radius", "Distance from the middle", 1.0, 0.0, unit='LENGTH'),
             Parameter("start", "Start", "Angle from the x axis", 0.0, unit='ROTATION'),
             Parameter("sweep", "Sweep", "Angle of the arc", math.pi / 2, -2 * math.pi, 2 * math.pi, unit='ROTATION')), _arc),
-    Recipe("arc_by_points", "Arc by Points", "The arc of a circle that three points say",
+    Recipe("arc_by_points", "Arc by Points", "The arc of a circle given by three points",
            (Parameter("by", "By", "What the points are", "through", choices=(
                ("through", "Three Points", "Its start, a point on it, its end"),
                ("tangent", "Tangent", "Its start, where it goes from there, its end"),

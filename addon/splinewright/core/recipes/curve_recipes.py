@@ -14,14 +14,14 @@ _PARAMETERS = Parameter("parametrisation", "Spacing", "How the parameters of the
     ("chordal", "Chordal", "By the distances")))
 _ENDS = Parameter("ends", "Ends", "The direction at an open end", "parabola", choices=(
     ("parabola", "Parabola", "Of the parabola through three points"), ("chord", "Chord", "Towards the next point"),
-    ("natural", "Natural", "Without curvature")))
+    ("natural", "Natural", "Without curvature")), where=("closed", (False,)))
 _CLOSED = Parameter("closed", "Closed", "Go back to the first point", False)
 _TENSION = Parameter("tension", "Tension", "0 is Catmull-Rom; 1 makes corners at all points", 0.0, -5.0, 5.0)
 _DEGREE = Parameter("degree", "Degree", "Of the pieces between knots; of few points it is lower", 3, 1, 9)
 _KNOTS = Parameter("knots", "Knots", "Where an open curve has its knots", "averaged", choices=(
     ("averaged", "Averaged", "Averages of the points' parameters: safe with any spacing"),
     ("not_a_knot", "Not a Knot", "At the points, but for those next to the ends"),
-    ("natural", "Natural", "At the points; straight at both ends: odd degrees")))
+    ("natural", "Natural", "At the points; straight at both ends: odd degrees")), where=("closed", (False,)))
 _WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
 
 
@@ -166,8 +166,9 @@ RECIPES = (
            (Parameter("by", "By", "What decides how many control points the curve has", "tolerance", choices=(
                ("tolerance", "Tolerance", "As few as lie within the tolerance of all points"),
                ("count", "Control Points", "So many"))),
-            Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH'),
-            Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000),
+            Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH',
+                      where=("by", ("tolerance",))),
+            Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000, where=("by", ("count",))),
             _DEGREE, _PARAMETERS, _CLOSED), _approximating, _WAVE, True, 24, takes_cancel=True),
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbours",
            (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),

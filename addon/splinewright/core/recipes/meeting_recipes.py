@@ -4,9 +4,10 @@ import math
 
 import numpy as np
 
-from .. import flat, joints, meets, verbs
+from .. import contours, flat, joints, meets, verbs
 from ..failures import Refusal
 from ..library import sc
+from ..numbers_in_words import numbers_of
 from .recipe import Parameter, Recipe, Result, share_of_size
 from .surface_recipes import AXIS, axis_of
 
@@ -128,13 +129,20 @@ def _on_patch(inputs, distance, unit, piece, tolerance, cancel=None):
                       tolerance)
 
 
-def _contour(points, corners, corner_size, closed):
+def _contour(points, corners, corner_size, closed, arcs):
     if len(points) < 2:
         raise Refusal("one point is no curve: a contour needs two")
     if closed and len(points) < 3:
         raise Refusal("a closed contour needs 3 points or more")
+    if arcs.strip():
+        return Result(_with_arcs(points, corners, corner_size, closed, arcs))
     shape = sc.build.contour(points, closed=closed)
     return Result(shape if corners == 'sharp' else _without_corners(points, corners, corner_size, closed))
+
+
+def _with_arcs(points, corners, size, closed, arcs):
+    whole = contours.curve_of(contours.through(points, numbers_of(arcs, "a side"), closed))
+    return whole if corners == 'sharp' else whole.rounded(size) if corners == 'round' else whole.chamfered(size)
 
 
 #: Where a contour turns by less, or by all but so little of half a turn, it has no corner to replace.
@@ -177,8 +185,10 @@ STARTING = (
     Recipe("contour", "Contour", "Segments through points, with corners that are sharp, round or cut off",
            (Parameter("corners", "Corners", "What is put in their place", "round", choices=(
                ("sharp", "Sharp", "Nothing"), ("round", "Round", "Arcs of circles"), ("cut", "Cut Off", "Segments"))),
-            Parameter("corner_size", "Corner Size", "Radius of the arcs, or how far from the corner it is cut", 0.2, 1e-6, unit='LENGTH'),
-            Parameter("closed", "Closed", "Go back to the first point", False)),
+            Parameter("corner_size", "Corner Size", "Radius of the arcs, or how far from the corner it is cut", 0.2, 1e-6, unit='LENGTH',
+                      where=("corners", ("round", "cut"))),
+            Parameter("closed", "Closed", "Go back to the first point", False),
+            Parameter("arcs", "Arcs", "Numbers of the sides that are arcs and go on smoothly from the side before, such as 2, 4-6", "")),
            _contour, ((-1, -0.7, 0), (1, -0.7, 0), (1, 0.3, 0), (0, 1, 0), (-1, 0.3, 0)), True, 12),
 )
 BESIDE_CURVES = (

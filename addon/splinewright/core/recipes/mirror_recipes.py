@@ -11,6 +11,8 @@ from .surface_recipes import AXIS, axis_of
 
 #: Ends and borders this near to a plane, as a part of the size, lie on it when it is looked for.
 _NEAR = 0.01
+#: Planes by the axis that stands on them.
+_PLANES = {'x': "YZ", 'y': "XZ", 'z': "XY"}
 
 
 def _mirror(inputs, axis, gap, smooth, frame=None):
@@ -18,17 +20,18 @@ def _mirror(inputs, axis, gap, smooth, frame=None):
     point, direction = axis_of(axis, (0.0, 0.0, 0.0), frame)
     plane = mirroring.Plane(point, direction / np.linalg.norm(direction))
     found = mirroring.mirrored(definition, plane, gap, smooth)
+    across = f"across the {_PLANES[axis]} plane of {'its origin' if frame is None else 'the plane object'}"
     if not definition.has_curves:
-        return of_patches(found.pieces, said=_said(found, "border", gap))
-    return Result(found.pieces if len(found.pieces) > 1 else found.pieces[0], 0.0, _said(found, "end", gap))
+        return of_patches(found.pieces, said=_said(found, "border", gap, across))
+    return Result(found.pieces if len(found.pieces) > 1 else found.pieces[0], 0.0, _said(found, "end", gap, across))
 
 
-def _said(found, noun, gap):
+def _said(found, noun, gap, across):
     if not found.count:
         yet = f"no {noun} lies on the plane within {decimals.text_of(gap, 3)}: the halves are apart"
     else:
         yet = f"{found.count} {noun}{'s' if found.count > 1 else ''} on the plane, points moved by {decimals.text_of(found.moved, 2)}"
-    return yet + ("; it crosses the plane" if found.across else "")
+    return f"{yet}; {across}" + ("; it crosses the plane" if found.across else "")
 
 
 def _first_values(inputs):

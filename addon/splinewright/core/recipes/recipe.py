@@ -24,6 +24,7 @@ class Parameter:
     before: object = None               # its value in files from before there was such a parameter, if not the default
     follows: str = ""                   # the parameter whose value it has where that is given and its own is not
     of_scene: bool = False              # it is the scene's tolerance where none is given
+    where: tuple = ()                   # (the name of another parameter, its values) with which alone it counts
 
 
 class Result(NamedTuple):
@@ -53,6 +54,7 @@ class Recipe:
     resolution: int = 32
     is_surface: bool = False            # it makes patches
     covers_inputs: bool = False         # what it makes lies where they do: they are hidden unless that is not wanted
+    covered: Callable | None = None     # (values) -> over how many of its first inputs it lies, where not over all
     count_for: Callable | None = None   # (values) -> how many of the points to start from
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
@@ -94,6 +96,14 @@ class Recipe:
     @property
     def defaults(self):
         return {parameter.name: parameter.default for parameter in self.parameters}
+
+    def counting(self, properties, name_of=lambda parameter: parameter.name):
+        """The parameters that count with the values that properties have. name_of: (parameter) -> what they call it."""
+        named = {parameter.name: parameter for parameter in self.parameters}
+
+        def counts(parameter):
+            return not parameter.where or getattr(properties, name_of(named[parameter.where[0]])) in parameter.where[1]
+        return [parameter for parameter in self.parameters if counts(parameter)]
 
     def work(self, given, values):
         """A function that gives what make() does of points, places or inputs, for a `cancel` as the library takes it."""

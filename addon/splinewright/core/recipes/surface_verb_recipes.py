@@ -166,6 +166,11 @@ def _radius(name, label, text, follows=""):
     return Parameter(name, label, text, 0.1, 1e-6, unit='LENGTH', follows=follows)
 
 
+def _covered_by_matched(values):
+    """The surface that it is matched to goes on being seen beside it."""
+    return 2 if values['both'] else 1
+
+
 RECIPES = (
     Recipe("surface_blend", "Blend Surfaces",
            "The surface from a side of one surface to a side of another one that goes on as they do; it follows both",
@@ -181,25 +186,25 @@ RECIPES = (
             Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
             Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0),
             Parameter("both", "Both Move", "Both surfaces move half way, and are one shape", False)),
-           _matched, is_surface=True, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
+           _matched, is_surface=True, covers_inputs=True, covered=_covered_by_matched, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
-           "Surfaces with a surface in the place of their edges that a rolling ball touches: of the edge in which two surfaces meet, "
-           "or cross, of all edges of one, or of those whose numbers are given; it follows them",
+           "Surfaces whose edges are replaced by a surface that a rolling ball touches: of the edge in which two surfaces meet, or "
+           "cross, of all edges of one, or of those whose numbers are given; it follows them",
            (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends", "radius"),
             _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"),
             Parameter("edges", "Edges", "Numbers of the edges that are rounded, such as 1, 4-6, as the view shows them while the result "
                       "is active; none: where two surfaces meet, or all of one", ""), _TOLERANCE),
            _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface or more",), has_more=True, is_measured=True,
            takes_cancel=True),
-    Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it follows it",
+    Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it is live",
            (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,
            resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True, first_values=_first_distance),
-    Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it follows it",
+    Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it is live",
            (_distance("Thickness", "Along the normals; below 0 to the other side"),
             Parameter("middle", "To Both Sides", "Half of it to each side", False), _PIECE, _TOLERANCE),
            _thickened, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True,
            first_values=_first_distance),
-    Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it follows it",
+    Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it is live",
            (Parameter("side", "Side", "Where it is made longer", "u_end", choices=_SIDES[1:]),
             Parameter("length", "Length", "On average along the side", 0.5, 1e-6, unit='LENGTH'),
             Parameter("how", "How", "How it goes on", "natural", choices=(

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..failures import Refusal
+from ..numbers_in_words import numbers_of
 from . import planes, rolling
 from .body import body_of, require_two
 from .cells import cells_of
@@ -48,7 +49,8 @@ def rounded(shapes, text, radius, tolerance, cancel=None):
 
 def _chosen(body, count, text):
     """The numbers of a text; without any those of edges in which two shapes meet, or if there are not two of them, of all."""
-    return numbers_of(text, len(body.edges)) or [edge.number for edge in body.edges if count != 2 or is_between(body, edge)]
+    chosen = numbers_of(text, "an edge", len(body.edges))
+    return chosen or [edge.number for edge in body.edges if count != 2 or is_between(body, edge)]
 
 
 def body_between(shapes):
@@ -66,21 +68,6 @@ def meet(shapes):
 def is_between(body, edge):
     """Whether two shapes meet in an edge."""
     return any(body.owners[first.cell] != body.owners[second.cell] for first, second in edge.pairs)
-
-
-def numbers_of(text, count):
-    """The numbers in a text such as "1, 4-6", each once in their order. Raises Refusal."""
-    found = set()
-    for word in text.replace(',', ' ').split():
-        first, dash, last = word.partition('-')
-        if not (first.isdecimal() and (last.isdecimal() if dash else not last)):
-            raise Refusal(f"\"{word}\" is no number of an edge: such as 1, 4-6 are expected")
-        low, high = int(first), int(last or first)
-        if not 1 <= low <= high <= count:
-            edges_are = "is 1 edge" if count == 1 else f"are {count} edges"
-            raise Refusal(f"there {edges_are}, none of number {word}")
-        found |= set(range(low, high + 1))
-    return sorted(found)
 
 
 def middles_of(shapes):

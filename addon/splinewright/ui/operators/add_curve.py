@@ -65,7 +65,7 @@ class _AddChain(AddShape):
 class SPLINEWRIGHT_OT_add_bezier_chain(_AddChain, bpy.types.Operator):
     bl_idname = "splinewright.add_bezier_chain"
     bl_label = "Add Bezier Chain"
-    bl_description = "Add cubics that go on as one another, each point with two handles, as in Blender"
+    bl_description = "Add a smooth chain of cubics, each point with two handles, as in Blender"
     shape_name = "Bezier Chain"
     chain = staticmethod(starters.bezier_chain)
 

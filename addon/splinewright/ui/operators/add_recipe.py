@@ -29,7 +29,7 @@ class _AddRecipe(AddShape):
         return remaking.new_data(recipe.label, recipe, values, points, new_shapes.start(self))
 
     def draw_shape(self, layout):
-        for parameter in self.recipe.parameters:
+        for parameter in self.recipe.counting(self):
             layout.prop(self, parameter.name)
         if self.recipe.has_any_count:
             layout.prop(self, "count")

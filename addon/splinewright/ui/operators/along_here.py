@@ -32,7 +32,7 @@ class _Changes(Typing):
         if not nets:
             cls.poll_message_set("Edit the net of a Splinewright curve first")
         elif not any(map(_can_change, nets)):
-            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
         return any(map(_can_change, nets))
 
     def invoke(self, context, event):

@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.extract_side_here"
     bl_label = "Extract Edge by Click"
-    bl_description = "Click an edge of a patch to have it as a curve, a shape of its own, exact"
+    bl_description = "Click an edge of a patch to extract it as a curve, a shape of its own, exact"
     hint = "Click an edge of a patch   |   Esc, Right Mouse: Cancel"
 
     @classmethod

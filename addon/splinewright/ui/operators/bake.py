@@ -13,8 +13,8 @@ from .selected import OnSelected
 class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
     bl_idname = "splinewright.bake_animation"
     bl_label = "Bake Animation"
-    bl_description = ("Let the selected shapes move by shape keys, a key for each frame, as they do now: so they move where "
-                      "Splinewright is missing, on a render farm say. Make Live Again is the way back")
+    bl_description = ("Bake the motion of the selected shapes to shape keys, one for each frame: they then move without "
+                      "Splinewright, as on a render farm. Make Live Again takes it back")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     frame_start: IntProperty(name="First Frame", description="Where it begins; of the scene if it is not given",
@@ -127,7 +127,7 @@ def _gone_through(steps, step):
 class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.unbake"
     bl_label = "Make Live Again"
-    bl_description = "Put the shapes back that were baked: they follow again, and can be edited"
+    bl_description = "Restore the shapes that were baked: they follow again, and can be edited"
     needs = "Select a shape that was baked"
     done = "{} is live again"
 

@@ -38,7 +38,7 @@ class SPLINEWRIGHT_OT_contour_through_points(CurvesFromPoints, bpy.types.Operato
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        for parameter in _CONTOUR.parameters:
+        for parameter in _CONTOUR.counting(self):
             layout.prop(self, parameter.name)
         new_shapes.draw(self, layout)
 

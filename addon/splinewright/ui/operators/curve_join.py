@@ -18,7 +18,7 @@ _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
 class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     bl_idname = "splinewright.join_ends"
     bl_label = "Join Ends"
-    bl_description = ("Make two curves one where their nearest ends meet, and say how far they moved: "
+    bl_description = ("Make two curves one where their nearest ends meet, and report how far they moved: "
                       "two pieces of the active shape, or one of each of two selected shapes")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 

@@ -48,7 +48,7 @@ class _Meeting(pieces.LongOnPieces, OnCurves):
 class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):
     bl_idname = "splinewright.extend_curve"
     bl_label = "Extend"
-    bl_description = "Let curves go on at their ends: by a length, or up to where they meet another curve; the curve itself stays"
+    bl_description = "Extend curves at their ends: by a length, or up to where they meet another curve; the curve itself stays"
     done = "Extended {}"
 
     to: EnumProperty(name="Up To", items=(
@@ -77,7 +77,7 @@ class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):
 class SPLINEWRIGHT_OT_trim_curve(pieces.FromActive, _Meeting, bpy.types.Operator):
     bl_idname = "splinewright.trim_curve"
     bl_label = "Trim"
-    bl_description = "Take the part of a curve about a parameter away, up to where it meets other curves"
+    bl_description = "Remove the part of a curve around a parameter, up to where it meets other curves"
     done = "Trimmed {}"
     asked = ('parameter',)
 

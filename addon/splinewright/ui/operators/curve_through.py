@@ -62,7 +62,7 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        for parameter in _SPLINE.parameters:
+        for parameter in _SPLINE.counting(self):
             layout.prop(self, parameter.name)
         layout.prop(self, "live")
         new_shapes.draw(self, layout)

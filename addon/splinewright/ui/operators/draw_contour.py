@@ -8,10 +8,11 @@ from bpy.props import FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import shape
+from ...bridge import remaking, shape
 from ...bridge.file_state import state
 from ...core import contours, decimals, guides, typed_number
 from ...core.failures import FAILURES
+from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
@@ -31,7 +32,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     contour: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
-    radius: FloatProperty(name="Corner Radius", description="Of arcs in place of all corners; 0 leaves them sharp", default=0.0,
+    radius: FloatProperty(name="Corner Radius", description="Of arcs in place of all corners; it stays in the panel of the contour. 0 leaves them sharp", default=0.0,
                           min=0.0, unit='LENGTH', options={'SKIP_SAVE'})
     resolution_u: resolution_property()
 
@@ -95,13 +96,20 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         new_shapes.settle(self)
         try:
             require_place(context)
-            value = contours.curve_of(contours.from_text(self.contour), decimals.typed(self.radius))
-            data = shape.new_data("Contour", value, new_shapes.start(self))
+            data = self._data(contours.from_text(self.contour).without_repeats())
         except FAILURES as error:
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, context.selected_objects)
         return reports.finished(self, reports.Said())
+
+    def _data(self, drawn):
+        """With round corners what keeps their radius; sharp ones can be rounded, cut and trimmed as they are."""
+        if self.radius == 0:
+            return shape.new_data("Contour", contours.curve_of(drawn), new_shapes.start(self))
+        values = {'corners': 'round', 'corner_size': decimals.typed(self.radius), 'closed': drawn.closed and len(drawn.points) > 2,
+                  'arcs': ", ".join(map(str, drawn.sides()))}
+        return remaking.new_data("Contour", RECIPES['contour'], values, np.array(drawn.points), new_shapes.start(self))
 
     def draw(self, context):
         self.layout.use_property_split = True

@@ -50,7 +50,7 @@ class _OnNets:
 class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
     bl_idname = "splinewright.leave_net"
     bl_label = "Leave Net"
-    bl_description = "Put the control net away; the shape keeps every digit"
+    bl_description = "Close the control net; the shape keeps every digit"
 
     def invoke(self, context, event):
         """What would be lost is asked for; scripts are not asked."""
@@ -82,7 +82,7 @@ def _names(title, button):
 class SPLINEWRIGHT_OT_renew_net(_OnNets, bpy.types.Operator):
     bl_idname = "splinewright.renew_net"
     bl_label = "Renew Net"
-    bl_description = "Put the net out again from the shape as it is: points that were lost come back, others go"
+    bl_description = "Rebuild the net from the shape as it is: points that were lost come back, others go"
 
     def execute(self, context):
         nets = editing.nets_in_edit_mode(context)

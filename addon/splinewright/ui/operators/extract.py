@@ -51,7 +51,7 @@ class _Extract(Repeatable, OnPatches):
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):
     bl_idname = "splinewright.extract_isocurve"
     bl_label = "Extract Isocurve"
-    bl_description = "Add the curve on a patch on which u or v is one number: a shape of its own, exact"
+    bl_description = "Add the curve on a patch along which u or v is constant: a shape of its own, exact"
     done = "Extracted an isocurve of {}"
 
     direction: direction_property("The curve at one u", "The curve at one v", "Both curves through one point")

@@ -42,8 +42,8 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.row().prop(self, "by", expand=True)
-        for parameter in _SPLINE.parameters:
-            if parameter.name not in ('by', 'control_points' if self.by == 'tolerance' else 'tolerance'):
+        for parameter in _SPLINE.counting(self):
+            if parameter.name != 'by':
                 layout.prop(self, parameter.name)
         new_shapes.draw(self, layout)
 

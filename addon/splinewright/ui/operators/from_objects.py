@@ -37,7 +37,8 @@ class _FromObjects(LongWork, Repeatable):
             return True
         reason = cls._lacking(sources_of(context, cls.recipe))
         if reason:
-            cls.poll_message_set(reason)
+            is_text = "curve" in reason and any(ob.type == 'FONT' for ob in context.selected_objects)
+            cls.poll_message_set(f"{reason}: Make Exact turns a text into curves" if is_text else reason)
         return not reason
 
     @classmethod
@@ -97,7 +98,7 @@ class _FromObjects(LongWork, Repeatable):
             ob.matrix_world = ob.matrix_world @ _below(_corners(sources[0]) @ space.of(sources[0])[:3, :3].T, ob)
         add_in_front(context, ob, sources)
         if recipe.is_surface and self.hide_inputs:
-            for source in sources:
+            for source in sources[:recipe.covered(values)] if recipe.covered else sources:
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         words = "; ".join(filter(None, (said, result.said)))
@@ -141,7 +142,7 @@ class _FromObjects(LongWork, Repeatable):
         layout.use_property_split = True
         if self.recipe.frame:
             layout.prop_search(self, "frame", context.scene, "objects")
-        for parameter in self.recipe.parameters:
+        for parameter in self.recipe.counting(self):
             if parameter.name == 'piece':
                 draw_number(layout, self, parameter.name)
             else:

@@ -12,7 +12,7 @@ from .hold_seam import OnWhatHolds, number_property, released
 
 _WORDS = {'C0': "They meet", 'G1': "They share the tangent, too", 'C1': "They share the first derivative",
           'G2': "They share the osculating circle, too", 'C2': "They share the first two derivatives"}
-_MOVES = {'second': ("The Other", "What begins there moves to what ends there"), 'first': ("The First", "What ends there moves"),
+_MOVES = {'second': ("Other", "What begins there moves to what ends there"), 'first': ("First", "What ends there moves"),
           'both': ("Both", "Each goes half of the way")}
 
 
@@ -45,8 +45,8 @@ class _OnJoint(OnWhatHolds):
 class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
     bl_idname = "splinewright.hold_joint"
     bl_label = "Hold Joint"
-    bl_description = ("Make curves go on as one another at a joint, or a curve as itself, and let that hold while either side is "
-                      "edited, until it is released")
+    bl_description = ("Make curves continue each other smoothly at a joint, or one curve at a knot, and keep that while "
+                      "either side is edited, until it is released")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What both sides share there", default='G1',
@@ -80,7 +80,7 @@ class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
 class SPLINEWRIGHT_OT_release_joint(_OnJoint, bpy.types.Operator):
     bl_idname = "splinewright.release_joint"
     bl_label = "Release Joint"
-    bl_description = "Let both sides of a joint be edited each for itself again"
+    bl_description = "Let both sides of a joint be edited independently again"
     bl_options = {'REGISTER', 'UNDO'}
 
     first: number_property("Piece", "The one that ends there")

@@ -69,7 +69,7 @@ def released(data, sides, of):
 class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.hold_seam"
     bl_label = "Hold Seam"
-    bl_description = ("Make two patches go on as one another where their sides are one edge, and let that hold while either is "
+    bl_description = ("Make two patches continue each other smoothly across their common edge, and keep that while either is "
                       "edited, until it is released")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
@@ -95,7 +95,7 @@ class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
 class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.release_seam"
     bl_label = "Release Seam"
-    bl_description = "Let the sides of a seam be edited each for itself again"
+    bl_description = "Let both sides of a seam be edited independently again"
     bl_options = {'REGISTER', 'UNDO'}
 
     first: number_property("Patch", "One patch")

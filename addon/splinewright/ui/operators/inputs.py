@@ -56,7 +56,7 @@ class _OnInputs:
 class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.move_input"
     bl_label = "Move in Order"
-    bl_description = "Take it before the one above it, or after the one below it"
+    bl_description = "Move it one place up or down in the order"
 
     way: EnumProperty(name="Way", items=[('UP', "Up", "Before the one above it"), ('DOWN', "Down", "After the one below it")],
                       options={'SKIP_SAVE'})
@@ -73,7 +73,7 @@ class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
 class SPLINEWRIGHT_OT_turn_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.turn_input"
     bl_label = "Turn Round"
-    bl_description = "Let it run the other way"
+    bl_description = "Reverse its direction"
 
     def changed(self, context, inputs):
         self.require(inputs)
@@ -85,7 +85,7 @@ class SPLINEWRIGHT_OT_turn_input(_OnInputs, bpy.types.Operator):
 class SPLINEWRIGHT_OT_remove_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.remove_input"
     bl_label = "Leave Out"
-    bl_description = "Make the surface without it; the curve itself stays"
+    bl_description = "Leave this curve out of the surface; the curve itself stays"
 
     def changed(self, context, inputs):
         self.require(inputs)

@@ -38,7 +38,7 @@ class ByClick:
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
-            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
         return is_possible(context)
 
     def invoke(self, context, event):
@@ -137,7 +137,7 @@ class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
 class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.split_here"
     bl_label = "Split by Click"
-    bl_description = "Click the curve or patch where it is to part in two; both go on as they were"
+    bl_description = "Click the curve or patch where it is to be split in two; the shape stays the same"
     thing, does = "Cut", "split"
 
     def clicked(self, aimed):
@@ -147,7 +147,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
     bl_label = "Extract Isocurve by Click"
-    bl_description = "Click the patch where a curve is to be taken off it: a shape of its own, exact"
+    bl_description = "Click the patch where a curve is to be extracted: a shape of its own, exact"
     thing, does = "Isocurve", "extract"
     works_on_nets = False
 

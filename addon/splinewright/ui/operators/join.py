@@ -3,8 +3,9 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import joining, shape
+from ...bridge import joining, shape, store, surveys
 from ...core.failures import FAILURES, Refusal
+from ...core.held import why_not
 from .. import texts
 from . import polls, reports
 
@@ -56,7 +57,9 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         self.question = ""                          # the redo panel asks nothing
         try:
             if all(map(shape.has_shape, chosen)):
+                others = [ob.name for ob in chosen if ob != active]
                 joining.join(active, [ob for ob in chosen if ob != active])
+                return reports.finished(self, reports.Said(f"Joined {reports.listed(others)} into {active.name}", notes=_seams(active.data)))
             elif not self.end_definitions:
                 raise Refusal(f"{joining.ending_in_words(chosen)}. Nothing was joined: set End the Definitions for that")
             else:
@@ -64,6 +67,15 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error)
         return reports.finished(self, reports.Said())
+
+
+def _seams(data):
+    """What the seams of a shape that was joined are not yet, in a tuple."""
+    if not isinstance(data, bpy.types.Mesh):
+        return ()
+    definition = store.read(data)
+    apart = [joint for joint in surveys.survey_of(data).joints if joint.sides and why_not(definition, *joint.sides)]
+    return ("patches that lie side by side have edges of their own yet: Join Patches makes them one",) if apart else ()
 
 
 def _joinable(context):

@@ -98,7 +98,7 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
 class SPLINEWRIGHT_OT_clear_point_keys(_OnPoints, bpy.types.Operator):
     bl_idname = "splinewright.clear_point_keys"
     bl_label = "Clear Keys of Points"
-    bl_description = ("Take the keys of control points away: of those that are selected in the net, or in Object Mode of "
+    bl_description = ("Delete the keys of control points: of those that are selected in the net, or in Object Mode of "
                       "all. Points stay where they are")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs = "None of its points has keys"

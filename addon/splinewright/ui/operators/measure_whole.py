@@ -15,7 +15,7 @@ from .pointing import redraw
 class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
     bl_idname = "splinewright.measure_whole"
     bl_label = "Measure"
-    bl_description = "Find length, or area and volume, and the box of the active shape, which takes a while"
+    bl_description = "Measure length, or area and volume, and the box of the active shape, which takes a while"
     bl_options = {'INTERNAL'}
 
     @classmethod

@@ -9,7 +9,7 @@ from .selected import OnSelected
 
 
 def _is_native(ob):
-    return ob.type in ('CURVE', 'SURFACE') and not store.has_definition(ob.data)
+    return ob.type in make_exact.TYPES and not store.has_definition(ob.data)
 
 
 class _Conversion(OnSelected):
@@ -27,9 +27,9 @@ class _Conversion(OnSelected):
 class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.make_exact"
     bl_label = "Make Exact"
-    bl_description = ("Turn selected curves and surfaces of Blender into Splinewright shapes of the same geometry, "
-                      "in their place; surfaces become meshes")
-    needs = "Select a curve or surface that is no Splinewright shape"
+    bl_description = ("Turn selected curves, surfaces and texts of Blender into Splinewright shapes of the same geometry, "
+                      "in their place; surfaces become meshes, texts become curves")
+    needs = "Select a curve, surface or text that is no Splinewright shape"
     done = "Made {} exact"
     fits = staticmethod(_is_native)
 

@@ -6,7 +6,7 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from ...bridge import joining, replacing
-from ...core import decimals, patch_joints
+from ...core import decimals, patch_joints, seams
 from ...core.failures import FAILURES
 from ...core.patch_curves import SIDES
 from .. import hand
@@ -16,7 +16,7 @@ from .pick_piece import draw_number
 _WORDS = {'C0': "They share the edge", 'G1': "They share tangent planes, too",
           'C1': "They share first derivatives across the edge", 'G2': "They are as curved on both sides",
           'C2': "They share the first two derivatives across the edge"}
-_MOVES = {'second': ("The Other", "The second patch moves to the first"), 'first': ("The First", "The first patch moves"),
+_MOVES = {'second': ("Other", "The second patch moves to the first"), 'first': ("First", "The first patch moves"),
           'both': ("Both", "Each as little as it must")}
 
 
@@ -45,8 +45,8 @@ def _side_property(of):
 class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_idname = "splinewright.join_patches"
     bl_label = "Join Patches"
-    bl_description = ("Let two patches go on as one another where their nearest sides meet, and say what was achieved "
-                      "and how far they moved: two of the active shape, or one of each of two selected shapes")
+    bl_description = ("Make two patches continue each other where their nearest sides meet, and report what was achieved and "
+                      "how far they moved: two of the active shape, or one of each of two selected shapes")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: continuity_property()
@@ -68,13 +68,14 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         ob = context.object
         other = next((other for other in context.selected_objects if other != ob), None)
         parted = hand.count_of(ob.data) if other else None
+        named = _named_of_two(ob, other) if other else _named
         try:
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         hand.note_pair(self, ob, found.changed.parents, parted)
-        return reports.finished(self, reports.Said(f"{ob.name}: {told(found)}", warnings=came_apart(found)))
+        return reports.finished(self, reports.Said(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")
@@ -91,21 +92,36 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
             column.prop(self, f"{name}_side")
 
 
-def told(found):
-    """A core.patch_joints.Joined in words."""
-    sides = " and ".join(f"{number} {SIDES[side]}" for number, side, _ in (found.first, found.second))
-    moved = [f"patch {number} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
+def _named(number):
+    return f"patch {number}"
+
+
+def _named_of_two(ob, other):
+    """(number of a patch of both, counted from 1) -> what it is called: by its object, while there are two."""
+    owners = [(owner.name, number, count) for owner, count in ((one, hand.count_of(one.data)) for one in (ob, other))
+              for number in range(1, count + 1)]
+
+    def named(number):
+        name, of_its_own, count = owners[number - 1]
+        return name if count == 1 else f"patch {of_its_own} of {name}"
+    return named
+
+
+def told(found, named=_named):
+    """A core.patch_joints.Joined in words. named: (number) -> what a patch is called."""
+    sides = " and ".join(f"{SIDES[side]} of {named(number)}" for number, side, _ in (found.first, found.second))
+    moved = [f"{named(number)} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
              if error > 1e-12]
     measured = found.measured
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
-    return (f"{sides} are C{measured.c} G{measured.g}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
+    return (f"{sides} are {seams.in_words(measured)}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
             f"{', '.join(moved) or 'nothing moved'}")
 
 
-def came_apart(found):
+def came_apart(found, named=_named):
     """What a core.patch_joints.Joined has taken apart, as warnings."""
-    pairs = ", ".join(f"{first} and {second}" for first, second in found.came_apart)
-    return (f"open now between the patches {pairs}: they have other knots or degrees there",) if pairs else ()
+    pairs = ", ".join(f"{named(first)} and {named(second)}" for first, second in found.came_apart)
+    return (f"open now between {pairs}: they have other knots or degrees there",) if pairs else ()
 
 
 def _short(number):

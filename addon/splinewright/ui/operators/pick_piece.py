@@ -96,7 +96,7 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
 class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):
     bl_idname = "splinewright.pick_for_operator"
     bl_label = "Pick Number"
-    bl_description = "Click a piece in the 3D view to have its number here"
+    bl_description = "Click a piece in the 3D view to enter its number here"
     bl_options = {'INTERNAL'}
 
     setting: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})

@@ -72,7 +72,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
-            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
         return any(map(hand.is_free, shapes))
 
     # From here on: with numbers.

@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
         if not nets:
             cls.poll_message_set("Edit the net of a Splinewright shape first")
         elif not any(map(has_weights, nets)):
-            cls.poll_message_set("The shape comes of a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
         return any(map(has_weights, nets))
 
     def draw(self, context):
