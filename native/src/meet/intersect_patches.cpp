@@ -16,6 +16,7 @@
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
+#include "shared_edges.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/meet/sections.hpp"
 #include "traced_steps.hpp"
@@ -63,6 +64,7 @@ class SectionSearch {
       touching_.is_known_place = [&](const PatchSpots& at) { return match_->is_about(at); };
       for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
     }
+    for (const SectionTouch& turn : follow_shared_edges()) note(turn, true);
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
                                                  is_known);
     touching_.follow_borders();
@@ -221,6 +223,15 @@ class SectionSearch {
       ((parted(step.spots(middle)) < 0.0) == is_below ? range.start : range.end) = middle;
     }
     return {step.spots(range.middle()), step.point(range.middle())};
+  }
+
+  /// Borders of one patch that lie on the other one. @returns where patches that have such a border in common touch
+  std::vector<SectionTouch> follow_shared_edges() {
+    constexpr double kRounding = 0x1p-36;
+    if (match_) return {};
+    SharedEdges edges = shared_edges(patches(), tolerance_, kRounding + 4.0 * space_.rounding());
+    for (SectionTrace& edge : edges.traces) crossing_.add(std::move(edge));
+    return std::move(edges.turns);
   }
 
   /// Keeps a place where patches touch. is_exact: whether it is known to be one, so that curves end there.

@@ -164,7 +164,12 @@ bool TouchingCurves::ends_well(const SectionTrace& trace) const {
     }
     return false;
   };
-  return trace.is_closed || is_on_border(trace.places.front().at) || is_on_border(trace.places.back().at);
+  const auto ends_in_touch = [&](const PatchSpots& at) {
+    return is_on_border(at) || meeting_at(patches_, at).distance() <= 0.25 * tolerance_;
+  };
+  const SectionPlace& first = trace.places.front();
+  const SectionPlace& last = trace.places.back();
+  return trace.is_closed || ((is_on_border(first.at) || is_on_border(last.at)) && ends_in_touch(first.at) && ends_in_touch(last.at));
 }
 
 /// Sides of parts that are one which are borders of their patches.
