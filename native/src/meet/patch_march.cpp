@@ -116,26 +116,13 @@ class March {
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
     std::optional<PatchSpots> at = contact_near(patches_, ahead(length_), contact_, last().tangent, plane);
     if (!at) return reach_side();
-    settle(*at);
+    if (contact_.kind == PatchContact::Kind::border) settle_on_sides(patches_, *at, tolerance_);
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
     if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return reach_side();
     const double far = glm::distance(next->point, last().point);
     if (far > 2.0 * length_ || far < 0.5 * length_) return reach_side();
     return enters(next->at) ? take(*next) : leave(next->at);
-  }
-
-  /// A border may run along that of the other patch, or along a side of a piece: what is beside that by rounding is on it.
-  void settle(PatchSpots& at) const {
-    if (contact_.kind != PatchContact::Kind::border) return;
-    constexpr double kOfTolerance = 0x1p-16;
-    constexpr double kRounding = 0x1p-44;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double side = at[i] < 0.5 ? 0.0 : 1.0;
-      const Slopes<2> there = i < 2 ? patches_.a.at(at.a) : patches_.b.at(at.b);
-      const double off = std::abs(at[i] - side) * glm::length(there.first[i % 2]);
-      if (off <= std::max(kOfTolerance * tolerance_, kRounding)) at[i] = side;
-    }
   }
 
   /// No place is found ahead: the step ends on the side that it leads to, right beyond which the piece may be folded,

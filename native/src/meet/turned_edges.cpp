@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "touching_place.hpp"
@@ -11,36 +12,33 @@ namespace splinecore {
 
 namespace {
 
+/// How the patches part at a place of a step, of which 1 is its end.
+struct EdgeSample {
+  std::size_t step;
+  double s;
+  double sine;  ///< of the angle between both, with a sign that tells to which side of the edge they part
+};
+
 class EdgeCuts {
  public:
   EdgeCuts(const TwoPatches& patches, const SectionTrace& whole, const PatchContact& contact, double tolerance)
-      : patches_(patches), whole_(whole), contact_(contact), tolerance_(tolerance) {
-    for (const SectionPlace& place : whole.places) sines_.push_back(sine_at(place));
-  }
+      : patches_(patches), whole_(whole), contact_(contact), tolerance_(tolerance) {}
 
   std::optional<SharedEdges> cut() {
+    take_samples();
     if (touches_along()) return {};
-    SectionTrace edge{{places().front()}, false};
-    std::size_t told = 0;
+    edge_.places.push_back(places().front());
+    auto sample = samples_.begin();
     for (std::size_t i = 1; i < places().size(); ++i) {
-      const bool turns = tells(i) && tells(told) && (sines_[i] < 0.0) != (sines_[told] < 0.0);
-      if (turns && i == told + 1 && is_joint(i)) {
-        end(edge, places()[i]);
-      } else if (turns && i == told + 1) {
-        const SectionPlace turn = turn_between(places()[told], places()[i]);
-        turn_at(edge, turn);
-        edge.places.push_back(places()[i]);
-      } else if (turns) {
-        edge.places.push_back(places()[i]);
-        cut_untold(edge, i - told);
-      } else if (is_joint(i) && is_corner(places()[i - 1], places()[i])) {
-        end(edge, places()[i]);
-      } else {
-        edge.places.push_back(places()[i]);
+      if (is_joint(i) && is_corner(places()[i - 1], places()[i])) {
+        end(places()[i]);
+        told_ = {};
+        continue;
       }
-      if (tells(i)) told = i;
+      for (; sample != samples_.end() && sample->step == i - 1; ++sample) go_to(*sample);
+      edge_.places.push_back(places()[i]);
     }
-    end(edge, places().back());
+    end(places().back());
     if (whole_.is_closed) close();
     return std::move(found_);
   }
@@ -48,14 +46,49 @@ class EdgeCuts {
  private:
   const std::vector<SectionPlace>& places() const { return whole_.places; }
 
-  /// Of the angle between both, with a sign that tells to which side of the edge they part.
-  double sine_at(const SectionPlace& place) const {
-    return glm::dot(meeting_at(patches_, place.at).along, place.tangent);
+  void take_samples() {
+    for (std::size_t i = 0; i + 1 < places().size(); ++i) {
+      if (is_joint(i + 1)) continue;
+      const SectionStep step(places()[i], places()[i + 1]);
+      if (i == 0 || is_joint(i)) samples_.push_back({i, 0.0, sine_at(step.from)});
+      for (const double s : between_ends(step)) samples_.push_back({i, s, sine_at(place_of(step, s))});
+      samples_.push_back({i, 1.0, sine_at(step.to)});
+    }
   }
 
-  bool tells(std::size_t i) const {
+  /// More where a step goes along much of a piece, and close to ends at which nothing tells, as poles are.
+  std::vector<double> between_ends(const SectionStep& step) const {
+    constexpr double kOfPiece = 24.0;
+    constexpr int kHalvings = 12;
+    const std::size_t along = contact_.border.parameter ^ 1U;
+    const int count = 2 + static_cast<int>(kOfPiece * std::abs(step.to.at[along] - step.from.at[along]));
+    std::vector<double> found;
+    if (!tells({0, 0.0, sine_at(step.from)})) {
+      for (int k = kHalvings; k > 0; --k) found.push_back(std::ldexp(1.0, -k) / count);
+    }
+    for (int k = 1; k < count; ++k) found.push_back(static_cast<double>(k) / count);
+    if (!tells({0, 1.0, sine_at(step.to)})) {
+      for (int k = 1; k <= kHalvings; ++k) found.push_back(1.0 - std::ldexp(1.0, -k) / count);
+    }
+    return found;
+  }
+
+  /// 0 where one has no normal up to rounding, as at poles.
+  double sine_at(const SectionPlace& place) const {
+    const PatchMeeting here = meeting_at(patches_, place.at);
+    if (!has_normal(here.a, patches_.a) || !has_normal(here.b, patches_.b)) return 0.0;
+    return glm::dot(here.along, place.tangent);
+  }
+
+  static bool has_normal(const Slopes<2>& at, const PatchPieces& pieces) {
+    constexpr double kRounding = 0x1p-30;
+    const double longer = std::max(glm::length(at.first[0]), glm::length(at.first[1]));
+    return glm::length(glm::cross(at.first[0], at.first[1])) > kRounding * longer * pieces.extent();
+  }
+
+  static bool tells(const EdgeSample& sample) {
     constexpr double kNothing = 0x1p-30;
-    return std::abs(sines_[i]) > kNothing;
+    return std::abs(sample.sine) > kNothing;
   }
 
   bool is_joint(std::size_t i) const { return !places()[i - 1].has_pieces_of(places()[i]); }
@@ -63,12 +96,27 @@ class EdgeCuts {
   bool touches_along() const {
     constexpr double kPlainly = 0x1p-7;
     constexpr double kTolerances = 64.0;
-    if (std::ranges::none_of(sines_, [](double sine) { return std::abs(sine) >= kPlainly; })) return true;
-    for (std::size_t i = 1; i < places().size(); ++i) {
-      if (tells(i - 1) || tells(i)) continue;
-      if (glm::distance(places()[i - 1].point, places()[i].point) > kTolerances * tolerance_) return true;
+    if (std::ranges::none_of(samples_, [](const EdgeSample& of) { return std::abs(of.sine) >= kPlainly; })) return true;
+    const auto point = [&](const EdgeSample& of) {
+      return SectionStep(places()[of.step], places()[of.step + 1]).point(of.s);
+    };
+    for (std::size_t i = 1; i < samples_.size(); ++i) {
+      if (tells(samples_[i - 1]) || tells(samples_[i])) continue;
+      if (glm::distance(point(samples_[i - 1]), point(samples_[i])) > kTolerances * tolerance_) return true;
     }
     return false;
+  }
+
+  void go_to(const EdgeSample& sample) {
+    if (!tells(sample)) return;
+    const std::optional<EdgeSample> before = std::exchange(told_, sample);
+    if (!before || (before->sine < 0.0) == (sample.sine < 0.0)) return;
+    const SectionStep step(places()[sample.step], places()[sample.step + 1]);
+    const double from = before->step == sample.step ? before->s : 0.0;
+    const SectionPlace turn = turn_between(step, {from, sample.s}, before->sine < 0.0);
+    edge_.places.push_back(turn);
+    found_.turns.push_back({turn.at, turn.point});
+    end(turn);
   }
 
   bool is_corner(const SectionPlace& before, const SectionPlace& after) const {
@@ -80,12 +128,9 @@ class EdgeCuts {
            bends(before.tangent, after.tangent);
   }
 
-  /// The place between two others where the sine is zero.
-  SectionPlace turn_between(const SectionPlace& from, const SectionPlace& to) const {
+  /// The place within a range of a step where the sine is zero.
+  SectionPlace turn_between(const SectionStep& step, Interval range, bool is_below) const {
     constexpr int kHalvings = 48;
-    const SectionStep step(from, to);
-    const bool is_below = sine_at(from) < 0.0;
-    Interval range{0.0, 1.0};
     for (int k = 0; k < kHalvings; ++k) {
       const double middle = range.middle();
       ((sine_at(place_of(step, middle)) < 0.0) == is_below ? range.start : range.end) = middle;
@@ -103,25 +148,9 @@ class EdgeCuts {
     return found ? *found : between;
   }
 
-  void end(SectionTrace& edge, const SectionPlace& next) {
-    if (edge.places.size() > 1) found_.traces.push_back(std::move(edge));
-    edge = {{next}, false};
-  }
-
-  void turn_at(SectionTrace& edge, const SectionPlace& turn) {
-    edge.places.push_back(turn);
-    found_.turns.push_back({turn.at, turn.point});
-    end(edge, turn);
-  }
-
-  /// It turns at a place, or over so short a way, that nothing is told of.
-  void cut_untold(SectionTrace& edge, std::size_t back) {
-    const std::size_t begin = edge.places.size() - std::min(back, edge.places.size() - 1);
-    SectionTrace rest{{edge.places.begin() + static_cast<std::ptrdiff_t>(begin), edge.places.end()}, false};
-    edge.places.resize(begin);
-    const SectionPlace turn = rest.places.front();
-    turn_at(edge, turn);
-    edge = std::move(rest);
+  void end(const SectionPlace& next) {
+    if (edge_.places.size() > 1) found_.traces.push_back(std::move(edge_));
+    edge_ = {{next}, false};
   }
 
   /// Of one that goes round what is before its first cut goes on from what is behind the last one.
@@ -143,7 +172,9 @@ class EdgeCuts {
   const SectionTrace& whole_;
   PatchContact contact_;
   double tolerance_;
-  std::vector<double> sines_;
+  std::vector<EdgeSample> samples_;
+  std::optional<EdgeSample> told_;  ///< the last sample that tells
+  SectionTrace edge_{{}, false};    ///< since the last cut
   SharedEdges found_;
 };
 
