@@ -123,7 +123,7 @@ class SectionSearch {
 
   void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
     for (const SectionTrace& trace : traces) {
-      if (is_point(trace) || (kind == SectionKind::touching && is_in_match(trace))) continue;
+      if (is_point(trace) || (kind == SectionKind::touching && (is_in_match(trace) || is_at_crossing(trace)))) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
     }
@@ -132,6 +132,14 @@ class SectionSearch {
   /// Whether all of it is in what is one, where creases and poles look like curves of touch.
   bool is_in_match(const SectionTrace& trace) const {
     return match_ && std::ranges::all_of(trace.places, [&](const SectionPlace& place) { return match_->holds(place.at); });
+  }
+
+  /// Whether a curve of touch is so short that it is but the place, as a pole is, that a curve along which they cross comes to.
+  bool is_at_crossing(const SectionTrace& trace) const {
+    const double near = kTolerancesOfTouch * tolerance_;
+    const glm::dvec3& first = trace.places.front().point;
+    const auto is_near = [&](const SectionPlace& place) { return glm::distance(place.point, first) <= near; };
+    return std::ranges::all_of(trace.places, is_near) && crossing_.are_near(first, near);
   }
 
   SeedFate trace(const SectionPlace& seed) {

@@ -156,21 +156,13 @@ bool TouchingCurves::find_near(const PatchPart& a, const PatchPart& b) {
   const SectionPlace seed{*at, here.a.point + 0.5 * here.b.offset, parting->way, slopes_along(here, parting->way)};
   SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::grazing, {}}, {}, 0.5 * tolerance_});
   if (trace.places.size() < 2) return false;
-  if (!ends_well(trace) || is_point(trace)) {
+  if (!ends_well(trace)) {
     no_curves_.add(patches_, trace);
     return false;
   }
   beads_.add(patches_, trace);
   traces_.push_back(std::move(trace));
   return true;
-}
-
-/// Whether it is so short that within the tolerance the patches touch in a point, as about a pole.
-bool TouchingCurves::is_point(const SectionTrace& trace) const {
-  constexpr double kTolerances = 16.0;
-  return std::ranges::all_of(trace.places, [&](const SectionPlace& place) {
-    return glm::distance(place.point, trace.places.front().point) <= kTolerances * tolerance_;
-  });
 }
 
 /// Whether a curve is closed or ends on borders: about a point in which patches touch, or at which curves cross at a small

@@ -76,7 +76,6 @@ class TouchingCurves {
   std::optional<PatchSpots> touch_of_parts(const PatchPart& a, const PatchPart& b) const;
   bool find_near(const PatchPart& a, const PatchPart& b);
   bool ends_well(const SectionTrace& trace) const;
-  bool is_point(const SectionTrace& trace) const;
   void find_borders(const PatchPart& a, const PatchPart& b);
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
   void find_border(const PatchSpots& at, const OnFace& border);
