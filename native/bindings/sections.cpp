@@ -75,7 +75,7 @@ void bind_patch(const PatchClasses& cls) {
           "Newton's method follows; where they touch the second derivatives of their distance say along which way that\n"
           "stays. Lecture row S18. cancel is a callable that ends a long call by returning True. InvalidShape if the\n"
           "tolerance is below 0, or after 3 * 2^17 pairs of parts that are not apart, as where patches are nearly one, or\n"
-          "both run through infinity, or after 2^25 control points of such parts, as of wild patches of degrees above 25.");
+          "both run through infinity, or after 2^24 control points of such parts, as of wild patches of degrees above 25.");
   cls.def("plane_sections", [](const AnyPatch& self, const py::object& origin, const py::object& normal,
                                const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));

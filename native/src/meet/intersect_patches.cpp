@@ -16,6 +16,7 @@
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
 #include "section_curve.hpp"
+#include "shared_edges.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/meet/sections.hpp"
 #include "traced_steps.hpp"
@@ -63,6 +64,7 @@ class SectionSearch {
       touching_.is_known_place = [&](const PatchSpots& at) { return match_->is_about(at); };
       for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
     }
+    for (const SectionTouch& turn : follow_shared_edges()) note(turn, true);
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
                                                  is_known);
     touching_.follow_borders();
@@ -121,7 +123,7 @@ class SectionSearch {
 
   void put(const std::vector<SectionTrace>& traces, SectionKind kind, Sections& found) const {
     for (const SectionTrace& trace : traces) {
-      if (is_point(trace) || (kind == SectionKind::touching && is_in_match(trace))) continue;
+      if (is_point(trace) || (kind == SectionKind::touching && (is_in_match(trace) || is_at_crossing(trace)))) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
     }
@@ -130,6 +132,14 @@ class SectionSearch {
   /// Whether all of it is in what is one, where creases and poles look like curves of touch.
   bool is_in_match(const SectionTrace& trace) const {
     return match_ && std::ranges::all_of(trace.places, [&](const SectionPlace& place) { return match_->holds(place.at); });
+  }
+
+  /// Whether a curve of touch is so short that it is but the place, as a pole is, that a curve along which they cross comes to.
+  bool is_at_crossing(const SectionTrace& trace) const {
+    const double near = kTolerancesOfTouch * tolerance_;
+    const glm::dvec3& first = trace.places.front().point;
+    const auto is_near = [&](const SectionPlace& place) { return glm::distance(place.point, first) <= near; };
+    return std::ranges::all_of(trace.places, is_near) && crossing_.are_near(first, near);
   }
 
   SeedFate trace(const SectionPlace& seed) {
@@ -221,6 +231,15 @@ class SectionSearch {
       ((parted(step.spots(middle)) < 0.0) == is_below ? range.start : range.end) = middle;
     }
     return {step.spots(range.middle()), step.point(range.middle())};
+  }
+
+  /// Borders of one patch that lie on the other one. @returns where patches that have such a border in common touch
+  std::vector<SectionTouch> follow_shared_edges() {
+    constexpr double kRounding = 0x1p-36;
+    if (match_) return {};
+    SharedEdges edges = shared_edges(patches(), tolerance_, kRounding + 4.0 * space_.rounding());
+    for (SectionTrace& edge : edges.traces) crossing_.add(std::move(edge));
+    return std::move(edges.turns);
   }
 
   /// Keeps a place where patches touch. is_exact: whether it is known to be one, so that curves end there.

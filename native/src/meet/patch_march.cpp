@@ -114,8 +114,9 @@ class March {
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
-    const std::optional<PatchSpots> at = contact_near(patches_, ahead(length_), contact_, last().tangent, plane);
+    std::optional<PatchSpots> at = contact_near(patches_, ahead(length_), contact_, last().tangent, plane);
     if (!at) return reach_side();
+    if (contact_.kind == PatchContact::Kind::border) settle_on_sides(patches_, *at, tolerance_);
     if (leaves_by_pole(*at)) return leave(*at);
     std::optional<SectionPlace> next = place(*at);
     if (!next || glm::dot(next->tangent, last().tangent) < kTurn) return reach_side();
@@ -251,16 +252,14 @@ class March {
 
   /// The next place is beyond a side of a piece: to the first side, and to the piece beyond.
   bool leave(const PatchSpots& out) {
+    if (const auto side = side_run_out_of(out)) return cross_at_once(*side, out);
     std::optional<SectionPlace> first;
     std::size_t through = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < 4; ++i) {
       if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
-      if (is_on_face(i, out)) {
-        // Where it turns inward first it comes back to the side later than it leaves by another, or in a shorter step.
-        if (runs_out(last(), i, is_at_end(out[i]))) return cross_at_once(i, out);
-        continue;
-      }
+      // Where it turns inward first it comes back to the side later than it leaves by another, or in a shorter step.
+      if (is_on_face(i, out)) continue;
       const std::optional<SectionPlace> on = on_face(i, out);
       if (!on) continue;
       const double far = glm::dot(on->point - last().point, last().tangent);
@@ -287,6 +286,22 @@ class March {
   }
 
   static bool is_at_end(double out) { return out > 1.0; }
+
+  /// Of the sides that the last place is on, and that the next one is beyond, the one that the curve runs out of the most: beyond
+  /// others it may be but as pieces that do not belong together go on, one beyond its side and one that is not.
+  std::optional<std::size_t> side_run_out_of(const PatchSpots& out) const {
+    std::optional<std::size_t> found;
+    double most = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
+      if (!is_on_face(i, out) || !runs_out(last(), i, is_at_end(out[i]))) continue;
+      const double speed = is_at_end(out[i]) ? last().slopes[i] : -last().slopes[i];
+      if (found && speed <= most) continue;
+      found = i;
+      most = speed;
+    }
+    return found;
+  }
 
   /// Beyond a pole a surface is turned over.
   bool leaves_by_pole(const PatchSpots& out) const {

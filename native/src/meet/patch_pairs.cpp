@@ -18,7 +18,7 @@ namespace {
 constexpr double kNarrowAtInfinity = 0x1p-10;
 constexpr std::size_t kMostPairs = std::size_t{3} << 17;
 constexpr std::size_t kPointsOfLowDegree = 64;
-constexpr std::size_t kMostWork = std::size_t{1} << 25;  ///< control points of all pairs together
+constexpr std::size_t kMostWork = std::size_t{1} << 24;  ///< control points of all pairs together
 constexpr std::size_t kMostTouching = std::size_t{1} << 13;
 constexpr std::size_t kMostCrossing = std::size_t{1} << 18;
 

@@ -30,25 +30,28 @@ bool enters_nearly(PatchSpots& at) {
 
 bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
   if (std::max(a.largest_size(), b.largest_size()) > kLargestOfTouch) return false;
-  const PartLook seen = look(a, b);
-  if (seen.is_explained || (find_near(a, b) && look(a, b).is_explained)) return true;
-  if (!seen.is_near || !is_one(a, b)) return false;
+  if (is_explained(a, b) || (find_near(a, b) && is_explained(a, b))) return true;
+  if (!is_one(a, b)) return false;
+  const std::optional<Nearness> seen = nearness(a, b);
+  if (!seen) return false;
   // Where surfaces touch more closely in a point of a curve they are within the tolerance about it, and not one.
   constexpr double kSmall = 0x1p-6;
   constexpr double kExact = 0x1p-40;
   const double size = std::max(a.largest_size(), b.largest_size());
-  if (size < kSmall * std::min(patches_.a.extent(), patches_.b.extent()) && seen.gap > kExact) return true;
-  are_one_ = are_one_ || seen.is_inside;
+  if (size < kSmall * std::min(patches_.a.extent(), patches_.b.extent()) && seen->gap > kExact) return true;
+  are_one_ = are_one_ || seen->is_inside;
   find_borders(a, b);
   return true;
 }
 
-TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPart& b) const {
+/// Calls look with the feet of places all over a part on the other one, and how far they are from it, as long as it returns true.
+/// @returns whether it did for all of them
+template <class Look>
+bool TouchingCurves::for_feet(const PatchPart& a, const PatchPart& b, Look look) const {
   constexpr std::size_t kMost = 8;  // of a part that is a small one of a piece
   const double farthest = std::max(a.largest_size(), b.largest_size());
   const std::size_t rows = std::min(a.net.rows + 1, kMost);
   const std::size_t columns = std::min(a.net.columns + 1, kMost);
-  PartLook found{!beads_.empty(), true, false, 0.0};
   PatchSpots at{{a.piece, a.middle()}, {b.piece, b.middle()}};
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) {
@@ -56,20 +59,32 @@ TouchingCurves::PartLook TouchingCurves::look(const PatchPart& a, const PatchPar
       const double t = static_cast<double>(j) / static_cast<double>(columns - 1);
       at.a.at = {a.range[0].start + s * a.range[0].length(), a.range[1].start + t * a.range[1].length()};
       const std::optional<PatchSpots> foot = foot_near(patches_, at);
-      if (!foot) return {false, false, false, 0.0};
+      if (!foot) return false;
       at.b = foot->b;
-      PatchSpots inside = at;
-      found.is_inside = found.is_inside || enters(inside);
       const PatchMeeting here = meeting_at(patches_, at);
       const double gap = glm::dot(here.b.offset, here.normal_a);
-      if (std::abs(gap) > farthest) return {false, false, false, 0.0};
-      found.gap = std::max(found.gap, std::abs(gap));
-      found.is_near = found.is_near && std::abs(gap) <= tolerance_;
-      found.is_explained = found.is_explained && is_explained(here.a.point, gap);
-      if (!found.is_near && !found.is_explained) return found;
+      if (!(std::abs(gap) <= farthest) || !look(at, here.a.point, gap)) return false;
     }
   }
-  return found;
+  return true;
+}
+
+/// Whether a part parts from a curve that is known, as surfaces do that touch there.
+bool TouchingCurves::is_explained(const PatchPart& a, const PatchPart& b) const {
+  if (beads_.empty()) return false;
+  return for_feet(a, b, [&](const PatchSpots&, const glm::dvec3& point, double gap) { return is_explained(point, gap); });
+}
+
+/// @returns none if it is not all within the tolerance
+std::optional<TouchingCurves::Nearness> TouchingCurves::nearness(const PatchPart& a, const PatchPart& b) const {
+  Nearness found{false, 0.0};
+  const bool is_near = for_feet(a, b, [&](const PatchSpots& at, const glm::dvec3&, double gap) {
+    PatchSpots inside = at;
+    found.is_inside = found.is_inside || enters(inside);
+    found.gap = std::max(found.gap, std::abs(gap));
+    return std::abs(gap) <= tolerance_;
+  });
+  return is_near ? std::optional(found) : std::nullopt;
 }
 
 bool TouchingCurves::is_explained(const glm::dvec3& point, double gap) const {
@@ -151,7 +166,7 @@ bool TouchingCurves::find_near(const PatchPart& a, const PatchPart& b) {
 }
 
 /// Whether a curve is closed or ends on borders: about a point in which patches touch, or at which curves cross at a small
-/// angle, one goes on but as far as they are within the tolerance.
+/// angle, also where that is on a border, one goes on but as far as they are within the tolerance.
 bool TouchingCurves::ends_well(const SectionTrace& trace) const {
   const auto is_on_border = [&](const PatchSpots& at) {
     constexpr double kHalfOfDigits = 0x1p-24;
@@ -164,7 +179,13 @@ bool TouchingCurves::ends_well(const SectionTrace& trace) const {
     }
     return false;
   };
-  return trace.is_closed || is_on_border(trace.places.front().at) || is_on_border(trace.places.back().at);
+  const auto ends_in_touch = [&](const PatchSpots& at) {
+    return is_on_border(at) || meeting_at(patches_, at).distance() <= 0.25 * tolerance_;
+  };
+  const SectionPlace& first = trace.places.front();
+  const SectionPlace& last = trace.places.back();
+  if (trace.is_closed) return true;
+  return (is_on_border(first.at) || is_on_border(last.at)) && ends_in_touch(first.at) && ends_in_touch(last.at);
 }
 
 /// Sides of parts that are one which are borders of their patches.

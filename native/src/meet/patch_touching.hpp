@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "patch_march.hpp"
@@ -60,15 +61,16 @@ class TouchingCurves {
   }
 
  private:
-  /// What a pair of parts is, as far as places all over the first one tell.
-  struct PartLook {
-    bool is_explained;  ///< it parts from a curve that is known, as surfaces do that touch there
-    bool is_near;       ///< it is within the tolerance
-    bool is_inside;     ///< a place of it is in the second one, not only on how that goes on
-    double gap;         ///< how far it is from the second one at most
+  /// How a part lies that is within the tolerance of another one, as far as places all over it tell.
+  struct Nearness {
+    bool is_inside;  ///< a place of it is in the other one, not only on how that goes on
+    double gap;      ///< how far it is from the other one at most
   };
 
-  PartLook look(const PatchPart& a, const PatchPart& b) const;
+  template <class Look>
+  bool for_feet(const PatchPart& a, const PatchPart& b, Look look) const;
+  bool is_explained(const PatchPart& a, const PatchPart& b) const;
+  std::optional<Nearness> nearness(const PatchPart& a, const PatchPart& b) const;
   bool is_explained(const glm::dvec3& point, double gap) const;
   bool is_one(const PatchPart& a, const PatchPart& b) const;
   std::optional<PatchSpots> touch_of_parts(const PatchPart& a, const PatchPart& b) const;

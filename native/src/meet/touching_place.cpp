@@ -1,5 +1,6 @@
 #include "touching_place.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -39,6 +40,17 @@ std::optional<SectionPlace> touching_place(const TwoPatches& patches, const Patc
   SectionPlace place{at, here.a.point + 0.5 * here.b.offset, tangent, slopes_along(here, tangent)};
   if (is_border) place.slopes[contact.border.parameter] = 0.0;
   return place;
+}
+
+void settle_on_sides(const TwoPatches& patches, PatchSpots& at, double tolerance) {
+  constexpr double kOfTolerance = 0x1p-16;
+  constexpr double kRounding = 0x1p-44;
+  const double near = std::max(kOfTolerance * tolerance, kRounding);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double side = at[i] < 0.5 ? 0.0 : 1.0;
+    const Slopes<2> there = i < 2 ? patches.a.at(at.a) : patches.b.at(at.b);
+    if (std::abs(at[i] - side) * glm::length(there.first[i % 2]) <= near) at[i] = side;
+  }
 }
 
 }  // namespace splinecore

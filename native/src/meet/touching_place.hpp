@@ -10,5 +10,8 @@ namespace splinecore {
 std::optional<SectionPlace> touching_place(const TwoPatches& patches, const PatchSpots& at, const PatchContact& contact,
                                            const glm::dvec3& way, double tolerance);
 
+/// A border may run along that of the other patch, or along a side of a piece: what is beside a side by rounding is on it.
+void settle_on_sides(const TwoPatches& patches, PatchSpots& at, double tolerance);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

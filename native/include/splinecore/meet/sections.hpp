@@ -59,7 +59,7 @@ struct Sections {
 /// point says so. S18.
 /// @param tolerance  none: 2^-20 of the size of both
 /// @throws InvalidShape if the tolerance is below 0 or no number, or after 3 * 2^17 pairs, as where patches are nearly one,
-///         or run through infinity together; after 2^25 control points of pairs, as of wild patches of degrees above 25.
+///         or run through infinity together; after 2^24 control points of pairs, as of wild patches of degrees above 25.
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
 /// The same with a plane; on_b and b have its coordinates. Of a patch that runs through infinity, with weights of both signs,
