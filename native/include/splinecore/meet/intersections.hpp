@@ -56,7 +56,7 @@ struct PatchIntersections {
 /// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
 /// (k + 1)th root. That is one place, which touches: where they have the k derivatives in common, found from all of that
 /// stretch, so that it is off by about the rounding of coordinates, as a part of the tolerance, of the stretch's length.
-/// It is an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
+/// A contact that rounding cannot tell from one at the end of a curve is there. It is an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
 /// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it goes round.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
