@@ -17,12 +17,12 @@ namespace {
 using Series = std::vector<glm::dvec3>;
 
 /// A series without the last coefficients, which are nothing but rounding, and how large these are.
-struct Fit {
+struct ChoppedSeries {
   Series series;
   double rounding;
 };
 
-Fit chopped(Series series) {
+ChoppedSeries chopped(Series series) {
   constexpr std::size_t kTail = 16;
   constexpr double kAbove = 4.0;
   double rounding = 0.0;
@@ -33,7 +33,7 @@ Fit chopped(Series series) {
   return {std::move(series), rounding};
 }
 
-Fit fit_of(const Interval& along, const std::function<glm::dvec3(double)>& gap) {
+ChoppedSeries fit_of(const Interval& along, const std::function<glm::dvec3(double)>& gap) {
   constexpr std::size_t kCount = 33;
   constexpr std::size_t kLast = kCount - 1;
   const auto cosine = [](std::size_t i) {
@@ -122,8 +122,8 @@ std::optional<double> contact_place(const std::array<Interval, 2>& along,
   constexpr double kRounding = 0x1p-48;
   const auto& [whole, part] = along;
   if (!(part.length() > 0.0)) return {};
-  const Fit of_whole = fit_of(whole, gap);
-  const Fit of_part = part.length() < whole.length() ? fit_of(part, gap) : of_whole;
+  const ChoppedSeries of_whole = fit_of(whole, gap);
+  const ChoppedSeries of_part = part.length() < whole.length() ? fit_of(part, gap) : of_whole;
   const bool is_smooth = of_whole.rounding <= std::max(kAsSmooth * of_part.rounding, kRounding);
   const Interval& in = is_smooth ? whole : part;
   const std::vector<Series> taylor = taylor_of((is_smooth ? of_whole : of_part).series);

@@ -59,6 +59,10 @@ struct PatchIntersections {
 /// A contact that rounding cannot tell from one at the end of a curve is there. It is an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
 /// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it goes round.
 ///
+/// Where a curve folds, overlaps go on over what turns back by up to 16 tolerances, as long as curves stay beside each
+/// other there. Two are different only where they are farther apart along one of the curves than 64 tolerances: of others
+/// the longest stays. A place no farther than that from an overlap, from where curves stay within four tolerances, is of it.
+///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
 /// a gap shows not to be, or they lie within the tolerance of each other. S18.
