@@ -13,7 +13,7 @@ namespace splinecore {
 
 namespace {
 
-/// A place of a curve, the unit tangent, the point beside it, and how that and the angle of the tangent go by the parameter.
+/// A place of a curve, the unit tangent, the point beside it, and how that and the tangent's angle go by the parameter.
 struct BesidePlace {
   glm::dvec3 point;
   glm::dvec3 tangent;

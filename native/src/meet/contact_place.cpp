@@ -14,15 +14,15 @@ namespace splinecore {
 namespace {
 
 /// Coefficients of Chebyshev polynomials on [-1, 1].
-using Series = std::vector<glm::dvec3>;
+using ChebyshevSeries = std::vector<glm::dvec3>;
 
 /// A series without the last coefficients, which are nothing but rounding, and how large these are.
 struct ChoppedSeries {
-  Series series;
+  ChebyshevSeries series;
   double rounding;
 };
 
-ChoppedSeries chopped(Series series) {
+ChoppedSeries chopped(ChebyshevSeries series) {
   constexpr std::size_t kTail = 16;
   constexpr double kAbove = 4.0;
   double rounding = 0.0;
@@ -44,7 +44,7 @@ ChoppedSeries fit_of(const Interval& along, const std::function<glm::dvec3(doubl
     values[i] = gap(along.middle() + 0.5 * along.length() * cosine(i));
     if (i == 0 || i == kLast) values[i] *= 0.5;
   }
-  Series series(kCount, glm::dvec3(0.0));
+  ChebyshevSeries series(kCount, glm::dvec3(0.0));
   for (std::size_t k = 0; k < kCount; ++k) {
     for (std::size_t i = 0; i < kCount; ++i) series[k] += cosine(i * k) * values[i];
     series[k] *= (k == 0 || k == kLast ? 1.0 : 2.0) / static_cast<double>(kLast);
@@ -52,9 +52,9 @@ ChoppedSeries fit_of(const Interval& along, const std::function<glm::dvec3(doubl
   return chopped(std::move(series));
 }
 
-Series derivative(const Series& series) {
+ChebyshevSeries derivative(const ChebyshevSeries& series) {
   const std::size_t count = series.size();
-  Series of(std::max<std::size_t>(count, 2) - 1, glm::dvec3(0.0));
+  ChebyshevSeries of(std::max<std::size_t>(count, 2) - 1, glm::dvec3(0.0));
   for (std::size_t k = count - 1; k-- > 0;) {
     of[k] = 2.0 * static_cast<double>(k + 1) * series[k + 1];
     if (k + 2 < of.size()) of[k] += of[k + 2];
@@ -63,7 +63,7 @@ Series derivative(const Series& series) {
   return of;
 }
 
-glm::dvec3 value_at(const Series& series, double x) {
+glm::dvec3 value_at(const ChebyshevSeries& series, double x) {
   glm::dvec3 next(0.0);
   glm::dvec3 after(0.0);
   for (std::size_t k = series.size() - 1; k > 0; --k) {
@@ -75,10 +75,10 @@ glm::dvec3 value_at(const Series& series, double x) {
 }
 
 /// The series, and its derivatives, each divided by its factorial: Taylor's coefficients about a place.
-std::vector<Series> taylor_of(const Series& series) {
-  std::vector<Series> taylor{series};
+std::vector<ChebyshevSeries> taylor_of(const ChebyshevSeries& series) {
+  std::vector<ChebyshevSeries> taylor{series};
   while (taylor.back().size() > 1) {
-    Series next = derivative(taylor.back());
+    ChebyshevSeries next = derivative(taylor.back());
     for (glm::dvec3& c : next) c /= static_cast<double>(taylor.size());
     taylor.push_back(std::move(next));
   }
@@ -86,7 +86,7 @@ std::vector<Series> taylor_of(const Series& series) {
 }
 
 /// Where a coefficient is least, by Newton's method from the middle; none beyond the interval by much.
-std::optional<double> least_of(const std::vector<Series>& taylor, std::size_t k) {
+std::optional<double> least_of(const std::vector<ChebyshevSeries>& taylor, std::size_t k) {
   constexpr int kRounds = 20;
   constexpr double kBeyond = 1.25;
   double x = 0.0;
@@ -103,7 +103,7 @@ std::optional<double> least_of(const std::vector<Series>& taylor, std::size_t k)
 }
 
 /// Whether about a place a power is most of a function as far as the interval goes: those below it are hardly there.
-bool is_power(const std::vector<Series>& taylor, std::size_t power, double x) {
+bool is_power(const std::vector<ChebyshevSeries>& taylor, std::size_t power, double x) {
   constexpr double kBelow = 0.125;
   constexpr double kAbove = 2.0;
   const double most = glm::length(value_at(taylor[power], x));
@@ -126,7 +126,7 @@ std::optional<double> contact_place(const std::array<Interval, 2>& along,
   const ChoppedSeries of_part = part.length() < whole.length() ? fit_of(part, gap) : of_whole;
   const bool is_smooth = of_whole.rounding <= std::max(kAsSmooth * of_part.rounding, kRounding);
   const Interval& in = is_smooth ? whole : part;
-  const std::vector<Series> taylor = taylor_of((is_smooth ? of_whole : of_part).series);
+  const std::vector<ChebyshevSeries> taylor = taylor_of((is_smooth ? of_whole : of_part).series);
   for (std::size_t power = 2; power < taylor.size(); ++power) {
     const std::optional<double> x = least_of(taylor, power - 1);
     if (x && is_power(taylor, power, *x)) return in.middle() + 0.5 * in.length() * *x;

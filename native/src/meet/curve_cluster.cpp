@@ -147,7 +147,8 @@ Interval CurveCluster::longest_in_pieces(const Interval& in) const {
   std::vector<Interval> smooth;
   std::vector<const LaidStretch*> of;
   for (const LaidStretch& laid : sorted) {
-    const auto same = std::ranges::find_if(of, [&](const LaidStretch* other) { return is_of_same_pieces(*other, laid); });
+    const auto is_same = [&](const LaidStretch* other) { return is_of_same_pieces(*other, laid); };
+    const auto same = std::ranges::find_if(of, is_same);
     if (same == of.end()) {
       of.push_back(&laid);
       smooth.push_back(laid.a);
@@ -162,6 +163,15 @@ Interval CurveCluster::longest_in_pieces(const Interval& in) const {
     if (held.length() > longest.length()) longest = held;
   }
   return longest;
+}
+
+bool CurveCluster::holds(const TwoCurves& curves, double place) const {
+  const double turn = is_round(curves) ? curves.a.turn() : 0.0;
+  return std::ranges::any_of(stretches_, [&](const LaidStretch& laid) {
+    return std::ranges::any_of(std::array{0.0, turn, -turn}, [&](double further) {
+      return laid.a.start <= place + further && place + further <= laid.a.end;
+    });
+  });
 }
 
 SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {

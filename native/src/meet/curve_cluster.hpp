@@ -52,6 +52,9 @@ class CurveCluster {
   /// The longest part of an interval of the first curve along which both are in one piece.
   Interval longest_in_pieces(const Interval& in) const;
 
+  /// Whether a place of the first curve is in a stretch.
+  bool holds(const TwoCurves& curves, double place) const;
+
   /// The nearest place of the second curve to a place of the first one.
   SpotPair at(const TwoCurves& curves, double place) const;
 

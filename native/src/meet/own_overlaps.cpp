@@ -119,29 +119,62 @@ class Overlaps {
 
   /// Of overlaps the ones that are beside a longer one all along go.
   void drop_parts() {
-    std::vector<double> lengths;
-    for (const LaidOverlap& o : overlaps_) lengths.push_back(length_of(o));
-    sort_order(lengths);
+    std::vector<SortKey> keys;
+    for (const LaidOverlap& o : overlaps_) keys.push_back({-length_of(o)});
+    const std::vector<std::size_t> order = order_of(keys);
+    const std::vector<std::vector<std::size_t>> longer = longer_beside(order);
     std::vector<bool> is_part(overlaps_.size(), false);
-    for (std::size_t k = 1; k < order_.size(); ++k) {
-      for (std::size_t m = 0; m < k && !is_part[order_[k]]; ++m) {
-        is_part[order_[k]] = !is_part[order_[m]] && is_part_of(overlaps_[order_[k]], overlaps_[order_[m]]);
-      }
+    for (const std::size_t i : order) {
+      is_part[i] = std::ranges::any_of(longer[i], [&](std::size_t whole) {
+        return !is_part[whole] && is_part_of(overlaps_[i], overlaps_[whole]);
+      });
     }
     std::size_t i = 0;
     std::erase_if(overlaps_, [&](const LaidOverlap&) { return is_part[i++]; });
   }
 
-  void sort_order(const std::vector<double>& lengths) {
-    std::vector<SortKey> keys;
-    for (const double length : lengths) keys.push_back({-length});
-    order_ = order_of(keys);
+  /// Of each overlap the ones before it in an order that it may be a part of: along the first curve each is compared
+  /// with those that are not yet behind, of a closed curve on its next turn, too.
+  std::vector<std::vector<std::size_t>> longer_beside(const std::vector<std::size_t>& order) const {
+    struct Laid {
+      std::size_t overlap;
+      Interval wide;
+    };
+    const double far = kOwn * tolerance_;
+    std::vector<std::size_t> rank(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) rank[order[k]] = k;
+    std::vector<Laid> all;
+    for (std::size_t i = 0; i < overlaps_.size(); ++i) {
+      const Interval& a = overlaps_[i].a;
+      const Interval wide{a.start - curves_.a.reach(a.start, -1.0, far), a.end + curves_.a.reach(a.end, 1.0, far)};
+      all.push_back({i, wide});
+      const double turn = curves_.a.turn();
+      if (curves_.a.is_closed()) all.push_back({i, {wide.start + turn, wide.end + turn}});
+    }
+    sort_by(all, [](const Laid& laid) { return laid.wide.start; });
+    std::vector<std::vector<std::size_t>> longer(overlaps_.size());
+    std::vector<Laid> open;
+    for (const Laid& laid : all) {
+      breathe(16 * (open.size() + 1));
+      std::erase_if(open, [&](const Laid& other) { return other.wide.end < laid.wide.start; });
+      for (const Laid& other : open) {
+        if (other.overlap == laid.overlap) continue;
+        const bool is_shorter = rank[laid.overlap] > rank[other.overlap];
+        const std::size_t part = is_shorter ? laid.overlap : other.overlap;
+        const std::size_t whole = is_shorter ? other.overlap : laid.overlap;
+        if (may_be_beside(overlaps_[part], overlaps_[whole])) longer[part].push_back(whole);
+      }
+      open.push_back(laid);
+    }
+    return longer;
   }
 
   double length_of(const LaidOverlap& o) const {
     double length = 0.0;
     for (int i = 0; i < kSamples; ++i) {
-      const auto point = [&](int k) { return curves_.a.at(curves_.a.spot(o.a.start + o.a.length() * k / kSamples)).point; };
+      const auto point = [&](int k) {
+        return curves_.a.at(curves_.a.spot(o.a.start + o.a.length() * k / kSamples)).point;
+      };
       length += glm::distance(point(i), point(i + 1));
     }
     return length;
@@ -150,25 +183,37 @@ class Overlaps {
   bool is_part_of(const LaidOverlap& part, const LaidOverlap& whole) const {
     constexpr int kPlaces = 4;
     breathe(64);
-    if (!may_be_beside(part, whole)) return false;
     for (int i = 0; i <= kPlaces; ++i) {
       const double a = part.a.start + part.a.length() * i / kPlaces;
-      if (!is_beside(a, curves_.b.place(at(part, a, curves_).b), whole, curves_, kOwn * tolerance_)) return false;
+      // What fills a hole of the longer one goes its way from one of its places to another.
+      const bool fills = i > 0 && i < kPlaces && part.is_reversed == whole.is_reversed && !holds(whole, a);
+      if (!fills && !is_beside(a, curves_.b.place(at(part, a, curves_).b), whole, curves_, kOwn * tolerance_)) {
+        return false;
+      }
     }
     return true;
   }
 
+  bool holds(const LaidOverlap& o, double place) const {
+    return std::ranges::any_of(o.clusters, [&](const CurveCluster* c) { return c->holds(curves_, place); });
+  }
+
   bool may_be_beside(const LaidOverlap& part, const LaidOverlap& whole) const {
-    const double place = part.a.middle();
-    const double in = std::clamp(place, whole.a.start, whole.a.end);
-    if (in == place || curves_.a.is_closed()) return true;
-    return glm::length(curves_.a.at(curves_.a.spot(in), curves_.a.at(curves_.a.spot(place)).point).offset) <=
-           kOwn * tolerance_;
+    return is_middle_near(curves_.a, part.a, whole.a) && is_middle_near(curves_.b, part.b, whole.b);
+  }
+
+  bool is_middle_near(const CurvePieces& curve, const Interval& part, const Interval& whole) const {
+    const double place = part.middle();
+    const double in = std::clamp(place, whole.start, whole.end);
+    if (in == place || curve.is_closed()) return true;
+    return glm::length(curve.at(curve.spot(in), curve.at(curve.spot(place)).point).offset) <= kOwn * tolerance_;
   }
 
  public:
   static SpotPair at(const LaidOverlap& o, double place, const TwoCurves& curves) {
-    const auto beyond = [&](const CurveCluster* c) { return std::max({c->a().start - place, place - c->a().end, 0.0}); };
+    const auto beyond = [&](const CurveCluster* cluster) {
+      return std::max({cluster->a().start - place, place - cluster->a().end, 0.0});
+    };
     return (*std::ranges::min_element(o.clusters, {}, beyond))->at(curves, place);
   }
 
@@ -176,10 +221,8 @@ class Overlaps {
   static bool is_beside(double a, double b, const LaidOverlap& whole, const TwoCurves& curves, double far) {
     const double turn = curves.a.is_closed() ? curves.a.turn() : 0.0;
     for (const double by : {0.0, turn, -turn}) {
-      const double in = std::clamp(a + by, whole.a.start, whole.a.end);
-      if (stays_within(curves.a, a, in, far) && stays_within(curves.b, b, curves.b.place(at(whole, in, curves).b), far)) {
-        return true;
-      }
+      const auto [on_a, on_b] = curves.places(at(whole, std::clamp(a + by, whole.a.start, whole.a.end), curves));
+      if (stays_within(curves.a, a, on_a, far) && stays_within(curves.b, b, on_b, far)) return true;
       if (turn == 0.0) break;
     }
     return false;
@@ -192,7 +235,6 @@ class Overlaps {
   std::vector<LaidOverlap> overlaps_;
   TwoCurves curves_;
   double tolerance_;
-  std::vector<std::size_t> order_;
 };
 
 }  // namespace
