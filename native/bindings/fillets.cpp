@@ -55,7 +55,7 @@ void bind_fillets(py::module_& module) {
             "there rather than away from it, goes_on_b whether the arc runs along b rather than against it.\n\n"
             "Centres are where the offsets of both curves cross, to either side, by Newton's method to rounding, or by\n"
             "halving where that does not tell; where offsets are one along a stretch, as of lines beside each other, its\n"
-            "ends. Corners of the curves are touched by nothing. Lecture row S18. InvalidShape if the radius is not above 0,\n"
+            "ends. Corners and cusps of the curves are touched by nothing. Lecture row S18. InvalidShape if the radius is not above 0,\n"
             "the normal (3,) is zero, the curves are not in a plane with it, or it is not told whether an arc touches both.");
 }
 

@@ -13,12 +13,13 @@ namespace splinecore {
 
 namespace {
 
-/// A place of a curve, the unit tangent, the point beside it, and how that goes by the parameter.
+/// A place of a curve, the unit tangent, the point beside it, and how that and the tangent's angle go by the parameter.
 struct BesidePlace {
   glm::dvec3 point;
   glm::dvec3 tangent;
   glm::dvec3 centre;
   glm::dvec3 slope;
+  double turning;
 };
 
 BesidePlace place(const NurbsCurve& curve, double u, double side, const glm::dvec3& normal) {
@@ -27,7 +28,15 @@ BesidePlace place(const NurbsCurve& curve, double u, double side, const glm::dve
   const double speed = glm::length(d[1]);
   const glm::dvec3 tangent = d[1] / speed;
   const double curvature = glm::dot(glm::cross(tangent, d[2] / speed), normal) / speed;
-  return {d[0], tangent, d[0] + side * glm::cross(normal, tangent), (1.0 - side * curvature) * d[1]};
+  return {d[0], tangent, d[0] + side * glm::cross(normal, tangent), (1.0 - side * curvature) * d[1],
+          std::abs(curvature) * speed};
+}
+
+/// Whether the tangent turns within the rounding of the parameter, as at a cusp: then it is a corner.
+bool is_corner(const BesidePlace& place, double u) {
+  constexpr double kFew = 0x1p-50;
+  constexpr double kTurned = 0x1p-20;
+  return !(kFew * std::abs(u) * place.turning <= kTurned);
 }
 
 /// How far the place beside a curve goes between two parameters that follow each other as numbers.
@@ -72,6 +81,7 @@ std::optional<TouchedBoth> BesideBoth::at(double u, double v) const {
   constexpr double kOff = 1e-9;
   const BesidePlace on_a = place(a_, u, sides_[0], normal_);
   const BesidePlace on_b = place(b_, v, sides_[1], normal_);
+  if (is_corner(on_a, u) || is_corner(on_b, v)) return {};
   const double radius = std::abs(sides_[0]);
   const glm::dvec3 centre = 0.5 * (on_a.centre + on_b.centre);
   const double room = kOff * radius + rounding_of(on_a, u) + rounding_of(on_b, v);

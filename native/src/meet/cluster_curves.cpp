@@ -254,29 +254,43 @@ class Gathering {
   /// one that is.
   void merge() {
     are_overlaps_.assign(members_.size(), {});
+    joined_into_.resize(members_.size());
+    for (std::size_t i = 0; i < members_.size(); ++i) joined_into_[i] = {i, {}};
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       for (const Link& link : links_[i]) {
-        const std::size_t into = cluster_[i];
-        const std::size_t from = cluster_[link.to];
-        if (into == from || (is_overlap(into) && is_overlap(from))) continue;
-        const Turns by{turns_[i].a + link.turns.a - turns_[link.to].a, turns_[i].b + link.turns.b - turns_[link.to].b};
-        join(into, from, by);
+        const Link into = now_in(cluster_[i]);
+        const Link from = now_in(cluster_[link.to]);
+        if (into.to == from.to || (is_overlap(into.to) && is_overlap(from.to))) continue;
+        const Turns here = plus(turns_[i], into.turns);
+        const Turns there = plus(turns_[link.to], from.turns);
+        join(into.to, from.to, {here.a + link.turns.a - there.a, here.b + link.turns.b - there.b});
       }
     }
+  }
+
+  static Turns plus(const Turns& one, const Turns& other) { return {one.a + other.a, one.b + other.b}; }
+
+  /// The cluster that one was joined into, if it was, and where it is counted there.
+  Link now_in(std::size_t cluster) {
+    Link at{cluster, {}};
+    while (joined_into_[at.to].to != at.to) {
+      Link& step = joined_into_[at.to];
+      const Link& next = joined_into_[step.to];
+      if (next.to != step.to) step = {next.to, plus(step.turns, next.turns)};
+      at = {step.to, plus(at.turns, step.turns)};
+    }
+    return at;
   }
 
   void join(std::size_t into, std::size_t from, const Turns& by) {
     const bool is_against = way_of(into) * way_of(from) < 0;
     const bool is_part = is_against && (is_overlap(into) || is_overlap(from));
+    const bool is_left = is_part && is_overlap(into);
     std::vector<LaidFinding> joined = std::move(members_[from]);
     members_[from].clear();
-    for (LaidFinding& member : joined) {
-      member.turns = {member.turns.a + by.a, member.turns.b + by.b};
-      if (cluster_[member.node] != from) continue;
-      cluster_[member.node] = into;
-      turns_[member.node] = {turns_[member.node].a + by.a, turns_[member.node].b + by.b};
-    }
-    if (is_part && is_overlap(into)) return;
+    joined_into_[from] = {into, by};
+    if (is_left) return;
+    for (LaidFinding& member : joined) member.turns = plus(member.turns, by);
     if (is_part) {
       members_[into] = std::move(joined);
     } else {
@@ -317,6 +331,7 @@ class Gathering {
   std::vector<std::vector<LaidFinding>> members_;       ///< of clusters
   std::vector<std::optional<bool>> are_overlaps_;   ///< of clusters, where that is known
   std::vector<std::size_t> cluster_;               ///< of nodes
+  std::vector<Link> joined_into_;                  ///< of clusters, themselves where they were not
   std::vector<std::size_t> seen_by_;               ///< the last cluster that a node was looked at for
   std::vector<Turns> turns_;                       ///< of nodes in their clusters
 };

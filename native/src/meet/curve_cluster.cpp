@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/sort_by.hpp"
+#include "curve_contact.hpp"
 #include "near_space.hpp"
 #include "zero_between.hpp"
 
@@ -73,7 +75,7 @@ struct Meeting {
 };
 
 Meeting meeting_of(const CurveCluster& cluster, const TwoCurves& curves, const std::array<double, kCount>& places,
-                   std::size_t best) {
+                   std::size_t best, double tolerance) {
   const auto gap = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).gap; };
   const auto normal = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).normal; };
   const auto bend = [&](double place) { return crossing_at(curves, cluster.at(curves, place)).bend; };
@@ -103,7 +105,20 @@ Meeting meeting_of(const CurveCluster& cluster, const TwoCurves& curves, const s
   } else if (turns_in(normal, around)) {
     place = zero_between(around, normal);
   }
-  return {place, is_parallel(place)};
+  if (!is_parallel(place)) return {place, false};
+  if (const auto contact = contact_in(cluster, curves, within(cluster, curves, tolerance))) {
+    return {std::clamp(*contact, whole.start, whole.end), true};
+  }
+  return {place, true};
+}
+
+}  // namespace
+
+namespace {
+
+bool is_of_same_pieces(const LaidStretch& one, const LaidStretch& other) {
+  return one.turns.a == other.turns.a && one.turns.b == other.turns.b &&
+         one.stretch.piece_a == other.stretch.piece_a && one.stretch.piece_b == other.stretch.piece_b;
 }
 
 }  // namespace
@@ -124,6 +139,39 @@ void CurveCluster::add_ends(std::vector<double>& places, const Interval& in) con
     places.push_back(std::clamp(stretches_[i].a.start, in.start, in.end));
     places.push_back(std::clamp(stretches_[i].a.end, in.start, in.end));
   }
+}
+
+Interval CurveCluster::longest_in_pieces(const Interval& in) const {
+  std::vector<LaidStretch> sorted = stretches_;
+  sort_by(sorted, [](const LaidStretch& laid) { return laid.a.start; });
+  std::vector<Interval> smooth;
+  std::vector<const LaidStretch*> of;
+  for (const LaidStretch& laid : sorted) {
+    const auto is_same = [&](const LaidStretch* other) { return is_of_same_pieces(*other, laid); };
+    const auto same = std::ranges::find_if(of, is_same);
+    if (same == of.end()) {
+      of.push_back(&laid);
+      smooth.push_back(laid.a);
+    } else {
+      Interval& own = smooth[static_cast<std::size_t>(same - of.begin())];
+      own.end = std::max(own.end, laid.a.end);
+    }
+  }
+  Interval longest{in.start, in.start};
+  for (const Interval& own : smooth) {
+    const Interval held{std::max(own.start, in.start), std::min(own.end, in.end)};
+    if (held.length() > longest.length()) longest = held;
+  }
+  return longest;
+}
+
+bool CurveCluster::holds(const TwoCurves& curves, double place) const {
+  const double turn = is_round(curves) ? curves.a.turn() : 0.0;
+  return std::ranges::any_of(stretches_, [&](const LaidStretch& laid) {
+    return std::ranges::any_of(std::array{0.0, turn, -turn}, [&](double further) {
+      return laid.a.start <= place + further && place + further <= laid.a.end;
+    });
+  });
 }
 
 SpotPair CurveCluster::at(const TwoCurves& curves, double place) const {
@@ -243,7 +291,7 @@ ClusterShape shape_of(const CurveCluster& cluster, const TwoCurves& curves, doub
     const auto places = places_of(cluster.a());
     const auto distance_at = [&](double place) { return curves.distance(cluster.at(curves, place)); };
     const auto best = static_cast<std::size_t>(std::ranges::min_element(places, {}, distance_at) - places.begin());
-    const Meeting meeting = meeting_of(cluster, curves, places, best);
+    const Meeting meeting = meeting_of(cluster, curves, places, best, tolerance);
     for (const SpotPair& at : {cluster.at(curves, meeting.place), cluster.at(curves, places[best])}) {
       if (curves.distance(at) <= tolerance) return {{}, at, meeting.touches};
     }

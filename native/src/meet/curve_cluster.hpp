@@ -49,6 +49,12 @@ class CurveCluster {
   /// Adds where stretches end along the first curve, of many every so many, held in an interval.
   void add_ends(std::vector<double>& places, const Interval& in) const;
 
+  /// The longest part of an interval of the first curve along which both are in one piece.
+  Interval longest_in_pieces(const Interval& in) const;
+
+  /// Whether a place of the first curve is in a stretch.
+  bool holds(const TwoCurves& curves, double place) const;
+
   /// The nearest place of the second curve to a place of the first one.
   SpotPair at(const TwoCurves& curves, double place) const;
 

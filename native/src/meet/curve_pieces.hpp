@@ -75,6 +75,9 @@ class CurvePieces {
   /// The next place at which a piece ends, or the curve after a gap begins, behind one: of a closed curve on any of its turns.
   double end_behind(double place) const noexcept { return std::floor(place) + 1.0; }
 
+  /// How much of the parameter a piece has.
+  double span_length(std::size_t i) const { return knots_.span_interval(static_cast<int>(i)).length(); }
+
   /// By how much places of a closed curve rise in a turn.
   double turn() const noexcept { return starts_.back() + 1.0; }
 

@@ -4,6 +4,7 @@
 #include "base/sort_by.hpp"
 #include "curve_cluster.hpp"
 #include "near_space.hpp"
+#include "own_overlaps.hpp"
 #include "splinecore/meet/intersections.hpp"
 
 namespace splinecore {
@@ -26,7 +27,8 @@ class IntersectionSearch {
     CurveIntersections found;
     std::vector<Place> places;
     std::vector<LaidOverlap> overlaps;
-    for (const CurveCluster& cluster : clusters_of(curves(), pairs, tolerance_)) {
+    const std::vector<CurveCluster> clusters = clusters_of(curves(), pairs, tolerance_);
+    for (const CurveCluster& cluster : clusters) {
       const ClusterShape shape = shape_of(cluster, curves(), tolerance_);
       if (shape.overlap) {
         overlaps.push_back(overlap(cluster, *shape.overlap));
@@ -34,6 +36,8 @@ class IntersectionSearch {
         places.push_back({*shape.at, shape.touches});
       }
     }
+    overlaps = own_overlaps(std::move(overlaps), curves(), tolerance_);
+    std::erase_if(places, [&](const Place& p) { return is_of_any(overlaps, p.at, curves(), tolerance_); });
     found.places = once_each(std::move(places));
     if (!b_ && a_.is_closed()) join_over_the_end(overlaps);
     for (const LaidOverlap& o : overlaps) {
@@ -47,15 +51,6 @@ class IntersectionSearch {
   struct Place {
     SpotPair at;
     bool touches;
-  };
-
-  /// Stretches of both curves as places.
-  struct LaidOverlap {
-    Interval a;
-    Interval b;
-    bool is_reversed;
-
-    LaidOverlap swapped() const { return {b, a, is_reversed}; }
   };
 
   const CurvePieces& b() const { return b_ ? *b_ : a_; }
@@ -164,11 +159,13 @@ class IntersectionSearch {
     };
     const double start = place_b(0);
     double end = start;
+    Interval beside{start, start};
     for (int i = 1; i <= kSteps; ++i) {
       const double step = place_b(i) - end;
       end += b().is_closed() ? step - std::round(step / turn_b) * turn_b : step;
+      beside = {std::min(beside.start, end), std::max(beside.end, end)};
     }
-    return {{from, from + length}, {std::min(start, end), std::max(start, end)}, start > end};
+    return {{from, from + length}, beside, start > end, {&cluster}};
   }
 
   /// Of a closed curve with itself an overlap with one of its stretches to the end, and one from the start that goes on

@@ -54,9 +54,14 @@ struct PatchIntersections {
 /// where a curve runs through infinity, meets nothing.
 ///
 /// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
-/// (k + 1)th root: that is one place, which touches, anywhere in the middle of that stretch that rounding leaves. It is
-/// an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
+/// (k + 1)th root. That is one place, which touches: where they have the k derivatives in common, found from all of that
+/// stretch, so that it is off by about the rounding of coordinates, as a part of the tolerance, of the stretch's length.
+/// A contact that rounding cannot tell from one at the end of a curve is there. It is an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
 /// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it goes round.
+///
+/// Where a curve folds, overlaps go on over what turns back by up to 16 tolerances, as long as curves stay beside each
+/// other there. Two are different only where they are farther apart along one of the curves than 64 tolerances: of others
+/// the longest stays. A place no farther than that from an overlap, from where curves stay within four tolerances, is of it.
 ///
 /// Pairs of Bernstein pieces on two trees of boxes along them (Gottschalk, Lin and Manocha 1996) are halved until hulls
 /// are apart, tangents differ so that they cross once at most (Sederberg and Meyers 1988), which Newton's method finds or
