@@ -2,7 +2,9 @@
 places find, by other formulas; what cannot be had is refused."""
 
 import numpy as np
+import pytest
 import splinecore as sc
+from seams import shaken
 from splinecore import build
 
 SIDES = ("u_start", "u_end", "v_start", "v_end")
@@ -103,16 +105,29 @@ def dense_shares(*patches_and_sides):
     return np.concatenate([start + (end - start) * inner for start, end in zip(knots[:-1], knots[1:]) if end - start > 1e-5])
 
 
+def is_rounding(pair, is_reversed, place, measure, found, told):
+    """Whether the last digits of the patches bring what is found at a place down to what is said, as they may beside a pole or where
+    weights differ much."""
+    rng = np.random.default_rng(1)
+    with np.errstate(all='ignore'):
+        others = [measured(shaken(pair[0], rng), pair[1], shaken(pair[2], rng), pair[3], is_reversed, place)[measure][0] for _ in range(12)]
+    return found - 4 * np.ptp([found, *others]) <= told
+
+
 def require_said(a, side_a, b, side_b, size, seed):
     said = sc.seam_continuity(a, side_a, b, side_b)
     shares = dense_shares((a, side_a), (b, side_b))
     with np.errstate(all='ignore'):
-        gaps, angles, differences, most = measured(a, side_a, b, side_b, said.reversed, shares)
-    for found, told, noise in ((np.nanmax(gaps), said.gap, 1e-10 * size), (np.nanmax(angles), said.angle, 1e-6)):
-        assert found <= 1.02 * told + noise, (seed, 'more is found than is said', found, told)
+        *values, most = measured(a, side_a, b, side_b, said.reversed, shares)
+
+    def is_said(measure, told):
+        at = np.nanargmax(values[measure])
+        found = values[measure][at]
+        return found <= told or is_rounding((a, side_a, b, side_b), said.reversed, shares[at:at + 1], measure, found, told)
+
+    assert is_said(0, 1.02 * said.gap + 1e-10 * size) and is_said(1, 1.02 * said.angle + 1e-6), (seed, 'more is found than is said')
     # Across an edge curvatures have nothing to do with each other.
-    is_missed = said.angle < 1e-2 and not np.nanmax(differences) <= 1.02 * said.curvature_difference + 1e-5 * most + 1e-9 / size
-    return said, is_missed
+    return said, said.angle < 1e-2 and not is_said(2, 1.02 * said.curvature_difference + 1e-5 * most + 1e-9 / size)
 
 
 def made_of(rng, kind, a, side_a, b, side_b):
@@ -146,6 +161,16 @@ def test_a_spike_beside_a_wider_one_is_found():
         assert not require_said(*seam, size, 512)[1]
 
 
+@pytest.mark.parametrize('seed', [676, 696, 783, 920])
+def test_small_parts_of_large_patches_have_curvatures(seed):
+    """Points that run far make tangents at the side small beside them, and weights that differ much do so beside each other."""
+    rng, kind, pair, size = drawn(seed)
+    for seam in made_of(rng, kind, *pair)[1]:
+        said, is_missed = require_said(*seam, size, seed)
+        assert not is_missed
+        assert seed != 676 or np.isfinite(said.curvature_differences).mean() > 0.99
+
+
 def test_what_is_said_of_seams_is_what_dense_places_find(inputs):
     counts, missed = {}, 0
     for seed in range(inputs(1000)):
@@ -163,6 +188,5 @@ def test_what_is_said_of_seams_is_what_dense_places_find(inputs):
             assert said.gap <= 1e-6 * size, (seed, kind, word, said.gap / size)
             if word != 'G0' and word != 'C0':
                 assert said.angle <= 2e-4, (seed, kind, word, said.angle)
-    # Where a side nearly stands still curvatures have spikes that are narrower than what lies between the places.
-    assert missed <= 0.005 * inputs(1000)
+    assert missed == 0
     assert counts['made', 'blend'] > 0 and counts['made', 'match'] > 0 and counts['made', 'join'] > 0

@@ -8,6 +8,7 @@
 #include "base/sort_by.hpp"
 #include "fitted_points.hpp"
 #include "function_breaks.hpp"
+#include "project_smooth.hpp"
 #include "quadrature_nodes.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
@@ -75,24 +76,39 @@ double largest_distance(const NurbsCurve& curve, const CurveFunction& function, 
   return largest;
 }
 
-}  // namespace
+/// The spans of the knots, and parts of them that the integrals are told by.
+struct Breaks {
+  std::vector<double> spans;
+  std::vector<double> parts;
+};
 
-Approximation<NurbsCurve> project(const CurveFunction& function, const KnotVector& knots, bool fixed_ends) {
-  constexpr int kFewestNodes = 16;
-  const int count = std::max(kFewestNodes, knots.degree() + 8);
-  const std::vector<double> spans = breaks_of(knots, knots);
-  const std::vector<double> breaks = function_breaks(function, spans, count);
-  const bool holds_ends = fixed_ends && !knots.periodic();
-  QuadratureNodes nodes = quadrature_nodes(breaks, count, holds_ends);
+Approximation<NurbsCurve> projected(const CurveFunction& function, const KnotVector& knots, bool holds_ends, int count,
+                                    const Breaks& breaks) {
+  QuadratureNodes nodes = quadrature_nodes(breaks.parts, count, holds_ends);
   const std::vector<glm::dvec3> values = values_of(function, nodes.parameters);
   ApproximationOptions options;
   options.weights = nodes.weights;
   options.fixed_ends = holds_ends;
   NurbsCurve curve = fitted_points(values, nodes.parameters, knots, options).curve();
   std::vector<double> looked_at = nodes.parameters;
-  looked_at.insert(looked_at.end(), breaks.begin(), breaks.end());
-  const double error = largest_distance(curve, function, with_even_parameters(std::move(looked_at), spans));
+  looked_at.insert(looked_at.end(), breaks.parts.begin(), breaks.parts.end());
+  const double error = largest_distance(curve, function, with_even_parameters(std::move(looked_at), breaks.spans));
   return {std::move(curve), error};
+}
+
+}  // namespace
+
+Approximation<NurbsCurve> project(const CurveFunction& function, const KnotVector& knots, bool fixed_ends) {
+  constexpr int kFewestNodes = 16;
+  const int count = std::max(kFewestNodes, knots.degree() + 8);
+  const std::vector<double> spans = breaks_of(knots, knots);
+  const Breaks breaks{spans, function_breaks(function, spans, count)};
+  return projected(function, knots, fixed_ends && !knots.periodic(), count, breaks);
+}
+
+Approximation<NurbsCurve> project_smooth(const CurveFunction& function, const KnotVector& knots, bool fixed_ends) {
+  const std::vector<double> spans = breaks_of(knots, knots);
+  return projected(function, knots, fixed_ends && !knots.periodic(), knots.degree() + 8, {spans, spans});
 }
 
 }  // namespace splinecore

@@ -12,6 +12,7 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/measure/patch_curvature.hpp"
+#include "tangent_rounding.hpp"
 
 namespace splinecore {
 
@@ -133,6 +134,9 @@ void Flank::add(std::span<const SeamPlace> places, Side side, SeamDepth depth, s
     const glm::dvec3* const at = &values[width * next];
     SeamJet& jet = jets[i];
     jet = jet_of(at[0], at[by_u], at[by_v], normals[next]);
+    if (!jet.is_regular && is_finite(jet.point)) {
+      jet.is_regular = is_product_known(patch_, u[next], v[next], {at[0], at[by_u], at[by_v]}, options);
+    }
     if (is_deep) {
       jet.second_across = at[is_u ? 6 : 2];
       if (glm::length(jet.along) > 0.0) jet.curvature = facing() * curvature_beside(bends[next], jet.along, jet.normal);

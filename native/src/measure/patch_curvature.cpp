@@ -11,6 +11,7 @@
 #include "base/quotient.hpp"
 #include "patch/rescale.hpp"
 #include "splinecore/base/pause.hpp"
+#include "tangent_rounding.hpp"
 
 namespace splinecore {
 
@@ -69,8 +70,10 @@ class Surface {
     return jet;
   }
 
-  bool is_regular(const SurfaceJet& jet) const {
-    return glm::length(glm::cross(jet.u(), jet.v())) > kNegligible * (size_ / lengths_[0]) * (size_ / lengths_[1]);
+  bool is_regular(double u, double v, const SurfaceJet& jet, PatchOptions options) const {
+    const double area = glm::length(glm::cross(jet.u(), jet.v()));
+    return area > kNegligible * (size_ / lengths_[0]) * (size_ / lengths_[1]) ||
+           (area > 0.0 && is_product_known(patch_, u, v, {jet.at(0, 0), jet.u(), jet.v()}, options));
   }
 
   /// Whether the derivative along an axis is zero.
@@ -80,7 +83,7 @@ class Surface {
 
   /// The unit normal, at a pole its limit; NaN where there is none.
   glm::dvec3 normal(double u, double v, const SurfaceJet& jet, PatchOptions options) const {
-    if (is_regular(jet)) return glm::normalize(glm::cross(jet.u(), jet.v()));
+    if (is_regular(u, v, jet, options)) return glm::normalize(glm::cross(jet.u(), jet.v()));
     glm::dvec3 point;
     glm::dvec3 normal;
     evaluate_grid_with_normals(patch_, {&u, 1}, {&v, 1}, std::span(&point.x, 3), std::span(&normal.x, 3), options);
@@ -230,7 +233,7 @@ SurfaceCurvature Surface::curvature(double u, double v, PatchOptions options) co
   const SurfaceJet here = jet(u, v, options);
   const glm::dvec3 normal_here = normal(u, v, here, options);
   if (!is_finite(normal_here)) return nothing();
-  if (is_regular(here)) {
+  if (is_regular(u, v, here, options)) {
     const TangentFrame frame = frame_along(here.u(), normal_here);
     return curvature_of(regular_form(here, frame), frame);
   }

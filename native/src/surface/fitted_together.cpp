@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 
 #include "build/fit_options.hpp"
+#include "knot_density.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/measure/continuity.hpp"
 
@@ -14,7 +16,7 @@ namespace splinecore {
 namespace {
 
 /// How near, as a part of the domain, knots all but coincide, and creases are one.
-constexpr double kNear = 0x1p-12;
+constexpr double kNear = 0x1p-30;
 
 /// In order, each once; none of more than can be, where even spans do as well.
 std::vector<Crease> told_apart(std::vector<Crease> creases, double near) {
@@ -47,8 +49,9 @@ std::vector<Crease> breaks_of(const FitTogether& what) {
   return found;
 }
 
-/// About `spans` of them, even between corners, which are knots as often as the degree, and creases.
-KnotVector knots_between(const FitTogether& what, int spans) {
+/// About `spans` of them between corners, which are knots as often as the degree, and creases: even, or as dense as is wanted.
+KnotVector knots_between(const FitTogether& what, const KnotDensity& density, int spans) {
+  constexpr int kLeastUneven = 4;
   const int degree = what.degree;
   const Interval domain = what.domain;
   std::vector<Crease> breaks{{domain.start, what.is_periodic ? 1 : degree + 1}};
@@ -60,9 +63,11 @@ KnotVector knots_between(const FitTogether& what, int spans) {
   breaks.push_back({domain.end, what.is_periodic ? 1 : degree + 1});
   std::vector<double> knots(breaks.front().times, domain.start);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    const double length = breaks[i + 1].at - breaks[i].at;
-    const int pieces = std::max(1, static_cast<int>(std::round(spans * (length / domain.length()))));
-    for (int k = 1; k < pieces; ++k) knots.push_back(breaks[i].at + length * k / pieces);
+    const double from = breaks[i].at;
+    const double to = breaks[i + 1].at;
+    const double part = density.is_even() ? (to - from) / domain.length() : density.share(from, to);
+    const int pieces = std::max(density.is_even() ? 1 : kLeastUneven, static_cast<int>(std::round(spans * part)));
+    std::ranges::copy(density.parted(from, to, pieces), std::back_inserter(knots));
     knots.insert(knots.end(), breaks[i + 1].times, breaks[i + 1].at);
   }
   return KnotVector::make(degree, std::move(knots), what.is_periodic);
@@ -72,7 +77,11 @@ KnotVector knots_between(const FitTogether& what, int spans) {
 /// need more than all before them are looked for alone.
 class Together {
  public:
-  Together(const FitTogether& what, const FitOne& fit) : what_(what), fit_(fit) {}
+  Together(const FitTogether& what, const FitOne& fit) : what_(what), fit_(fit), settled_(what.domain), density_(what.domain) {
+    breaks_ = {what.domain.start, what.domain.end};
+    for (const Crease& one : breaks_of(what)) breaks_.push_back(one.at);
+    std::ranges::sort(breaks_);
+  }
 
   Approximation<std::vector<NurbsCurve>> found() {
     std::size_t hardest = 0;
@@ -92,9 +101,18 @@ class Together {
 
  private:
   static constexpr int kMostSpans = 4096;
+  static constexpr int kMostEven = 32;
 
-  Approximation<NurbsCurve> with_spans(std::size_t i, int spans) const { return fit_(i, knots_between(what_, spans)); }
+  Approximation<NurbsCurve> with_spans(std::size_t i, int spans) const {
+    return fit_(i, knots_between(what_, density_, spans));
+  }
   bool is_within(const Approximation<NurbsCurve>& one) const { return one.error <= what_.tolerance; }
+
+  /// Of many spans those that follow are as dense as the curve wants them, and those before it.
+  void densify(const NurbsCurve& curve) {
+    density_ = settled_;
+    density_.take(curve, breaks_);
+  }
 
   /// Until curve i comes within the tolerance: by steps that double, then by halving. At `missed_` spans one curve does not.
   void enlarge_for(std::size_t i) {
@@ -108,6 +126,7 @@ class Together {
       }
       step = missed_ == 0 ? high : 2 * step;
       missed_ = high;
+      if (high >= kMostEven) densify(best.value);
       high = std::min(kMostSpans, high + step);
       best = with_spans(i, high);
     }
@@ -123,12 +142,13 @@ class Together {
       }
     }
     spans_ = high;
+    settled_ = density_;
     made_.assign(what_.count, best);
   }
 
   /// Makes all others on as many spans. @returns the first that does not come within the tolerance
   std::optional<std::size_t> first_missed(std::size_t made) {
-    const KnotVector knots = knots_between(what_, spans_);
+    const KnotVector knots = knots_between(what_, density_, spans_);
     for (std::size_t i = 0; i < what_.count; ++i) {
       if (i == made) continue;
       made_[i] = fit_(i, knots);
@@ -141,6 +161,9 @@ class Together {
 
   const FitTogether& what_;
   const FitOne& fit_;
+  KnotDensity settled_;          ///< that of the hardest curves so far
+  KnotDensity density_;
+  std::vector<double> breaks_;   ///< in order
   int missed_ = 0;
   int spans_ = 0;
   std::vector<Approximation<NurbsCurve>> made_;

@@ -31,7 +31,8 @@ struct FitTogether {
 /// Curve i on these knots, and how far it is from what it should be.
 using FitOne = std::function<Approximation<NurbsCurve>(std::size_t i, const KnotVector& knots)>;
 
-/// Curves on one knot vector with few spans, even between corners and creases: found by doubling and halving, curve after curve.
+/// Curves on one knot vector with few spans between corners and creases: found by doubling and halving, curve after curve. They are
+/// even up to 32; of more each is as long as its part of the curves lets it.
 /// @returns the curves, and the largest of their errors
 /// @throws ToleranceNotReached if 4096 spans do not come within the tolerance; InvalidShape unless it is positive.
 Approximation<std::vector<NurbsCurve>> fitted_together(const FitTogether& what, const FitOne& fit);

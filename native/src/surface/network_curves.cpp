@@ -45,6 +45,16 @@ double least_distance(const NurbsCurve& a, const NurbsCurve& b) {
   return std::ranges::min_element(found, {}, &NearestOnCurve::distance)->distance;
 }
 
+/// Where curves meet to the last digits, if that is in one place; else all places within the gap, which may be anywhere in what is so
+/// near.
+CurveIntersections meets_of(const NurbsCurve& a, const NurbsCurve& b, double gap) {
+  if (gap > kMet) {
+    CurveIntersections closely = intersections(a, b, kMet);
+    if (closely.places.size() == 1 && closely.overlaps.empty()) return closely;
+  }
+  return intersections(a, b, gap);
+}
+
 std::string pair_text(std::size_t i, std::size_t j) { return "along_u" + index_text(i) + " and along_v" + index_text(j); }
 
 std::vector<std::size_t> order_of(const std::vector<double>& parameters) {
@@ -87,7 +97,7 @@ NetworkCrossings crossings_of(std::span<const NurbsCurve> along_u, std::span<con
                   Table(along_v.size(), std::vector<double>(along_u.size()))};
   for (std::size_t i = 0; i < along_u.size(); ++i) {
     for (std::size_t j = 0; j < along_v.size(); ++j) {
-      const CurveIntersections meets = intersections(along_u[i], along_v[j], gap);
+      const CurveIntersections meets = meets_of(along_u[i], along_v[j], gap);
       if (!meets.overlaps.empty()) throw InvalidShape(pair_text(i, j) + " lie on each other: they are to cross once");
       if (meets.places.empty()) {
         throw InvalidShape(pair_text(i, j) + " do not meet: they come to " +

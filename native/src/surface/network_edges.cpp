@@ -43,9 +43,24 @@ void write(std::vector<glm::dvec4>& net, const NurbsPatch& patch, Border border,
   for (std::size_t i = 0; i < row.size(); ++i) net[first + i * step] = row[i];
 }
 
-/// The largest distance of a side from a curve over its domain.
+std::vector<double> distances_at(const NurbsCurve& side, const NurbsCurve& curve, const std::vector<double>& places) {
+  breathe(places.size());
+  std::vector<glm::dvec3> on_side(places.size());
+  std::vector<glm::dvec3> on_curve(places.size());
+  const EvaluateOptions options{.side = Side::left, .at_infinity = AtInfinity::nan};
+  evaluate(side, places, {&on_side.front().x, 3 * places.size()}, options);
+  evaluate(curve, places, {&on_curve.front().x, 3 * places.size()}, options);
+  std::vector<double> found;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    found.push_back(is_finite(on_side[k]) && is_finite(on_curve[k]) ? distance_of(on_side[k], on_curve[k]) : 0.0);
+  }
+  return found;
+}
+
+/// The largest distance of a side from a curve over its domain, looked for closer about where it is.
 double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
-  constexpr int kInSpan = 6;
+  constexpr int kInSpan = 16;
+  constexpr int kParts = 24;
   const Interval domain = side.domain();
   std::vector<double> ends{domain.start, domain.end};
   for (const NurbsCurve* const one : {&side, &curve}) {
@@ -54,17 +69,13 @@ double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
     }
   }
   const std::vector<double> places = places_of_spans(std::move(ends), kInSpan);
-  breathe(places.size());
-  std::vector<glm::dvec3> on_side(places.size());
-  std::vector<glm::dvec3> on_curve(places.size());
-  const EvaluateOptions options{.side = Side::left, .at_infinity = AtInfinity::nan};
-  evaluate(side, places, {&on_side.front().x, 3 * places.size()}, options);
-  evaluate(curve, places, {&on_curve.front().x, 3 * places.size()}, options);
-  double largest = 0.0;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    if (is_finite(on_side[k]) && is_finite(on_curve[k])) largest = std::max(largest, distance_of(on_side[k], on_curve[k]));
-  }
-  return largest;
+  const std::vector<double> found = distances_at(side, curve, places);
+  const auto at = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
+  const double from = places[at > 0 ? at - 1 : 0];
+  const double to = places[std::min(at + 1, places.size() - 1)];
+  std::vector<double> closer;
+  for (int k = 1; k < kParts; ++k) closer.push_back(from + (to - from) * k / kParts);
+  return std::max(found[at], std::ranges::max(distances_at(side, curve, closer)));
 }
 
 /// The known interval where the other one differs from it by rounding alone.

@@ -13,6 +13,7 @@
 
 #include "base/positive_weights.hpp"
 #include "base/quotient.hpp"
+#include "fit/project_smooth.hpp"
 #include "fit/row_spline.hpp"
 #include "fitted_together.hpp"
 #include "greville.hpp"
@@ -22,7 +23,6 @@
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/fit/project.hpp"
 
 namespace splinecore {
 
@@ -194,8 +194,8 @@ Approximation<NurbsCurve> projected(const PacedCurve& curve, const KnotVector& k
     const std::vector<double> by = weights(at);
     for (std::size_t k = 0; k < at.size(); ++k) points[k] = glm::dvec3(by[k], 0.0, 0.0);
   };
-  const auto above = project(numerators, knots, true);
-  const auto below = project(denominators, knots, true);
+  const auto above = project_smooth(numerators, knots, true);
+  const auto below = project_smooth(denominators, knots, true);
   std::vector<glm::dvec4> points;
   double least = below.value.points()[0].x;
   double largest = 0.0;

@@ -5,13 +5,13 @@
 #include <iterator>
 #include <span>
 
+#include "fit/project_smooth.hpp"
 #include "fitted_together.hpp"
 #include "homogeneous_places.hpp"
 #include "pacing.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
-#include "splinecore/fit/project.hpp"
 
 namespace splinecore {
 
@@ -167,7 +167,7 @@ void repace(PacedFamily& family, double tolerance) {
       for (const double u : at) paces.push_back(pacings[k].at(u));
       evaluate(family.own[which[k]], paces, {&points.front().x, 3 * points.size()});
     };
-    return project(function, knots, true);
+    return project_smooth(function, knots, true);
   }).value;
   for (std::size_t k = 0; k < which.size(); ++k) family.curves[which[k]] = fitted[k];
 }
