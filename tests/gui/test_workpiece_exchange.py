@@ -115,8 +115,9 @@ def out_and_in(view):
         bpy.ops.splinewright.export_json('EXEC_DEFAULT', True, filepath=str(path))
         bpy.ops.splinewright.import_json('EXEC_DEFAULT', True, filepath=str(path))
     yield from until(lambda: len(bpy.data.objects) > len(known), "what comes in")
-    came = [bpy.data.objects[name].data.splinewright.value for name in bpy.data.objects.keys() if name not in known]
-    assert all(was in came for was in before.values())
+    dumps = part('core.library').sc.dumps
+    came = {dumps(ob.data.splinewright.value) for ob in bpy.data.objects if ob.name not in known}
+    assert came == {dumps(was) for was in before.values()}, [len(text) for text in came]
     yield from by_keys.see_all(view)
     picture("back")
     yield from by_keys.keys(view, "Ctrl+Z")

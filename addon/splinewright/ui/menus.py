@@ -129,6 +129,8 @@ def _draw_convert(self, context):
 #: What takes clicks, what follows, and what is done once.
 _MEETING = (('trim_here', 'extend_here', 'fillet_here', 'chamfer_here'), tuple(f"add_{recipe.kind}" for recipe in MEETING),
             ('intersections', 'add_touching_circle'))
+#: What F3 finds first by these words: the title of the menu has those of all.
+_FOUND_BY = {'add_offset': "Offset Curve"}
 
 
 class SPLINEWRIGHT_MT_meeting(bpy.types.Menu):
@@ -142,7 +144,7 @@ class SPLINEWRIGHT_MT_meeting(bpy.types.Menu):
             if i:
                 layout.separator()
             for name in names:
-                layout.operator(f"splinewright.{name}", text=tools.text_of(name))
+                layout.operator(f"splinewright.{name}", text=_FOUND_BY.get(name) or tools.text_of(name))
 
 
 class SPLINEWRIGHT_MT_from_curves(bpy.types.Menu):

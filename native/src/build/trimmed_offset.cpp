@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "offset_loops.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/convert/to_bezier.hpp"
@@ -292,7 +293,9 @@ std::vector<BezierPieces> trimmed_offset(const NurbsCurve& curve, const NearSpac
       if (stretch.range.length() > kSamePlace * domain.length()) kept.add(raw[i], stretch);
     }
   }
-  return joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
+  std::vector<BezierPieces> joined = joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
+  for (BezierPieces& run : joined) run = without_loops(run, step.tolerance);
+  return joined;
 }
 
 }  // namespace splinecore
