@@ -5,7 +5,9 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "splinecore/base/interval.hpp"
@@ -68,20 +70,19 @@ std::vector<Interval> loops_of(const NurbsCurve& curve) {
   return loops;
 }
 
-}  // namespace
-
-BezierPieces without_loops(const BezierPieces& run, double tolerance) {
+/// What is left of a run; none if nothing is left out.
+std::optional<BezierPieces> shortened(const BezierPieces& run, double tolerance) {
   const NurbsCurve curve = curve_of(run);
   std::vector<Interval> left_out;
   for (const Interval& loop : loops_of(curve)) {
     const auto overlaps = [&](const Interval& other) { return loop.start < other.end && other.start < loop.end; };
     if (std::ranges::none_of(left_out, overlaps) && is_covered(curve, loop, tolerance)) left_out.push_back(loop);
   }
-  if (left_out.empty()) return run;
+  if (left_out.empty()) return std::nullopt;
   std::ranges::sort(left_out, {}, &Interval::start);
+  left_out.push_back({curve.domain().end, curve.domain().end});
   BezierPieces whole;
   double from = curve.domain().start;
-  left_out.push_back({curve.domain().end, curve.domain().end});
   for (const Interval& gap : left_out) {
     if (gap.start - from > kSamePlace * curve.domain().length()) {
       const BezierPieces part = to_bezier(part_of(curve, {from, gap.start}));
@@ -93,6 +94,20 @@ BezierPieces without_loops(const BezierPieces& run, double tolerance) {
     from = gap.end;
   }
   return whole;
+}
+
+}  // namespace
+
+BezierPieces without_loops(const BezierPieces& run, double tolerance) {
+  // Of loops that overlap one goes at a time.
+  constexpr int kRounds = 8;
+  BezierPieces left = run;
+  for (int i = 0; i < kRounds; ++i) {
+    std::optional<BezierPieces> next = shortened(left, tolerance);
+    if (!next || next->empty()) break;
+    left = std::move(*next);
+  }
+  return left;
 }
 
 }  // namespace splinecore
