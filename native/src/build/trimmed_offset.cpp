@@ -237,8 +237,34 @@ std::vector<std::size_t> followers_of(const std::vector<BezierPieces>& parts, do
   return next;
 }
 
+/// Whether what goes on at a place leads back along the end of a curve.
+bool leads_back(const BezierCurve& curve, const glm::dvec3& place) {
+  const glm::dvec3 gap = place - end_of(curve);
+  const auto points = curve.points();
+  const glm::dvec3 way = end_of(curve) - glm::dvec3(points[points.size() - 2]);
+  return glm::dot(gap, way) < 0.0;
+}
+
+/// Ends a run where it is nearest to a place that it has gone past.
+void end_beside(BezierPieces& run, const glm::dvec3& place) {
+  while (leads_back(run.back(), place)) {
+    const NurbsCurve last = curve_of({run.back()});
+    NearestOnCurve found;
+    nearest(last, std::span(&place, 1), std::span(&found, 1), 1);
+    const Interval domain = last.domain();
+    const double apart = kSamePlace * domain.length();
+    if (found.parameter > domain.start + apart) {
+      if (found.parameter < domain.end - apart) run.back() = to_bezier(split(last, found.parameter).first).front();
+      return;
+    }
+    if (run.size() == 1) return;
+    run.pop_back();
+  }
+}
+
 void append(BezierPieces& run, const BezierPieces& part) {
   if (!run.empty() && glm::distance(end_of(run.back()), start_of(part.front())) > kSamePlace) {
+    end_beside(run, start_of(part.front()));
     run.push_back(bezier_line(end_of(run.back()), start_of(part.front())));
   }
   run.insert(run.end(), part.begin(), part.end());
