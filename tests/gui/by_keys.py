@@ -123,6 +123,38 @@ def keys(view, text):
     yield from redrawn()
 
 
+def typed(view, field, text):
+    """Steps that give a field of the sidebar a number."""
+    yield from view.go_to_field(field)
+    view.press('RET')
+    yield from redrawn()
+    for letter in text:
+        view.press(KEYS[letter], letter)
+    view.press('RET')
+    yield from redrawn()
+    view.move(420, 420)
+
+
+def sidebar(view):
+    """Steps that open the tab of the add-on."""
+    view.open_sidebar()
+    yield from redrawn()
+    yield from view.show_tab("NURBS", (1045, 538))
+
+
+def select_all(view, count):
+    """Steps that press A over so many objects."""
+    view.press('A')
+    yield from until(lambda: len(bpy.context.selected_objects) == count, "A selects all")
+
+
+def see_all(view):
+    """Steps after which all is in the view."""
+    with view.override():
+        bpy.ops.view3d.view_all(center=False)
+    yield from redrawn()
+
+
 def choose(view, *names):
     """Steps that select objects; the first one is the active one."""
     with view.override():

@@ -32,8 +32,8 @@ def changed(view, name, first, then, expected):
     print(name, flush=True)
 
 
-def rebuilt(curve, count):
-    return curve.rebuild(count, 3).value
+def rebuilt(curve, count_u):
+    return curve.rebuild(count_u, 3).value
 
 
 def patch_rebuilt(patch, count_u, count_v):

@@ -79,7 +79,7 @@ def lofted(view):
     yield from until(lambda: len(bpy.data.objects) == 4, "F3 finds Loft")
     NAMES.append(bpy.context.object.name)
     with view.override():
-        view.area.spaces.active.region_3d.view_rotation = (0.83, 0.46, 0.13, 0.28)
+        view.area.spaces.active.region_3d.view_rotation = (0.65, 0.45, 0.35, 0.50)
         bpy.ops.view3d.view_all(center=False)
     yield from redrawn()
     require_chine()

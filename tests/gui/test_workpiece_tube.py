@@ -30,26 +30,12 @@ def box(name):
     return np.ptp(points, axis=0)
 
 
-def typed(view, field, text):
-    """Steps that give a field of the sidebar a number."""
-    yield from view.go_to_field(field)
-    view.press('RET')
-    yield from redrawn()
-    for letter in text:
-        view.press(by_keys.KEYS[letter], letter)
-    view.press('RET')
-    yield from redrawn()
-    view.move(420, 420)
-
-
 def ellipse(view):
     yield from by_keys.add(view, "Curve > NURBS > Conic > Ellipse")
     yield from until(lambda: len(bpy.data.objects) == 1, "an ellipse")
     NAMES['section'] = bpy.context.object.name
-    view.open_sidebar()
-    yield from redrawn()
-    yield from view.show_tab("NURBS", (1045, 538))
-    yield from typed(view, "ellipse_length_0", "0.3")
+    yield from by_keys.sidebar(view)
+    yield from by_keys.typed(view, "ellipse_length_0", "0.3")
     yield from until(lambda: abs(width(0) - 0.6) < 1e-5, "half axis a")
     settings().ellipse_length_1 = 0.15
     yield from until(lambda: abs(width(1) - 0.3) < 1e-5, "half axis b")

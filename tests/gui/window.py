@@ -260,6 +260,15 @@ def draw_fast(system):
     system.use_overlay_smooth_wire = system.use_edit_mode_smooth_wire = False
 
 
+def _show_failure():
+    """A picture of what was on the screen."""
+    try:
+        save_picture(os.path.join(os.environ['SPLINEWRIGHT_OUTPUT'], "failed.png"))
+    except Exception:
+        traceback.print_exc()
+        sys.stdout.flush()
+
+
 def run(steps):
     """Run a generator of steps. Ends Blender, with 1 on an error."""
     def whole():
@@ -277,6 +286,7 @@ def run(steps):
         except Exception:
             traceback.print_exc()
             sys.stdout.flush()
+            _show_failure()
             os._exit(1)
     bpy.context.preferences.view.show_splash = False
     bpy.context.preferences.view.smooth_view = 0            # the view would glide for a time of its own

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them on the Blender
 # of Debian 12 (this system); those that a version may change shared by that of Debian 13 and that of Debian unstable, and
-# once more by the official builds but 5.1. Each window is opened on one of Debian's three.
+# once more by the official builds but 5.1. Each window is opened on one of Debian's three,
+# and workpieces on the oldest and the newest.
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
 #   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
@@ -56,12 +57,19 @@ heading() { printf '\n== %s\n' "$*"; }
 failed=()
 attempt() { local name=$1; shift; "$@" || failed+=("$name"); }
 
-# The windows of a release: all, or its part of those that all share.
+# The windows of a release: all, or its part of those that all share, and workpieces from start to end on the oldest and on the
+# newest one.
 windows_of() {
-  local i all=("$project"/tests/gui/test_*.py) releases=(bookworm "${suites[@]}")
-  for ((i = 0; i < ${#all[@]}; i++)); do
-    [ "$how" != full ] && [ "${releases[i % ${#releases[@]}]}" != "$1" ] || echo "tests/gui/$(basename "${all[i]}")"
+  local i name releases=(bookworm "${suites[@]}")
+  local shared=() workpieces=("$project"/tests/gui/test_workpiece_*.py)
+  for name in "$project"/tests/gui/test_*.py; do
+    [[ $how != full && $name = */test_workpiece_* ]] || shared+=("$name")
   done
+  for ((i = 0; i < ${#shared[@]}; i++)); do
+    [ "$how" != full ] && [ "${releases[i % ${#releases[@]}]}" != "$1" ] || echo "tests/gui/$(basename "${shared[i]}")"
+  done
+  [ "$how" != full ] && [[ $1 = bookworm || $1 = "${releases[-1]}" ]] || return 0
+  for name in "${workpieces[@]}"; do echo "tests/gui/$(basename "$name")"; done
 }
 
 # Tests that no version changes.

@@ -238,3 +238,18 @@ def test_poles_of_several_rows_have_few_faces(rows):
     mesh = sc.Tessellation.adaptive(patch_set, tolerance=1e-3)
     assert largest_distance(mesh, patch_set, mesh.evaluate(patch_set)[0]) <= 1e-3 * (1 + 1e-4)
     assert mesh.vertex_count < 300
+
+
+def test_a_pole_inside_a_cell_takes_few_faces(inputs):
+    """A profile that crosses the axis where no knot is: triangles about the pole are as long however often they are cut."""
+    for seed in range(inputs(300)):
+        rng = np.random.default_rng([77, seed])
+        points = np.array([(-1.0, -1, 0), (-0.6, -0.475, 0), (-0.2, -0.3, 0), (0.2, 0.3, 0), (0.6, 0.475, 0), (1, 1, 0)])
+        points = points * (1, 10 ** rng.uniform(-1, 1), 1) + (rng.choice([-1, 1]) * 10 ** rng.uniform(-14, -0.5), 0, 0)
+        profile = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], points)
+        made = sc.PatchSet.from_patches([sc.build.revolve(profile, (0, 0, 0), (0, 1, 0), rng.choice([1.0, 4.0, 2 * np.pi]))])
+        size = np.linalg.norm(np.ptp(made.points, axis=0))
+        share = 10 ** rng.uniform(-4, -2)
+        angle = rng.choice([None, np.radians(15)])
+        mesh = sc.Tessellation.adaptive(made, tolerance=share * size, angle=angle, smallest=size / 200 if angle else 0.0)
+        assert mesh.vertex_count < 60 / share + 40000 * (angle is not None), (seed, mesh.vertex_count, share, angle)

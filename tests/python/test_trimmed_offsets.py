@@ -165,3 +165,29 @@ def test_a_slot_as_wide_as_two_distances_keeps_its_middle():
     made = slot.offset(0.5, tolerance=1e-6, trimmed=True)
     middle = np.c_[np.linspace(0.1, 3.4, 30), np.full(30, 0.5), np.zeros(30)]
     assert np.min([part.nearest(middle).distances for part in made], axis=0).max() <= 1e-9
+
+
+def rounded_slot(seed):
+    """(a closed contour of segments and arcs that was stretched after its corners were rounded, a distance)."""
+    rng = np.random.default_rng([43, seed])
+    corners = np.array([(-2, -1, 0), (2, -1, 0), (2, 1, 0), (-2, 1, 0)]) + rng.uniform(-1, 1, (4, 3)) * (0.05, 0.05, 0) * (seed % 3)
+    arc = sc.conics.arc_from_tangent(corners[1], corners[1] - corners[0], corners[2])
+    sides = [sc.BezierCurve(corners[:2]), arc, sc.BezierCurve(corners[2:]), sc.BezierCurve(corners[[3, 0]])]
+    whole = sc.build.join_curves(sides, 1e-9)[0].to_nurbs().rounded(rng.uniform(0.2, 0.4))
+    points = np.asarray(whole.points) * (rng.uniform(1, 2), 1, 1)
+    points = points.astype(np.float32).astype(float) if seed % 2 else points
+    return (sc.NurbsCurve(whole.degree, whole.knots, points, whole.weights),
+            rng.choice([-1, 1]) * rng.uniform(0.25, 0.5))
+
+
+def test_where_pieces_go_on_as_one_another_there_is_no_loop(inputs):
+    crossing = 0
+    for seed in range(inputs(1000)):
+        curve, distance = rounded_slot(seed)
+        for part in curve.offset(distance, (0, 0, 1), trimmed=True, tolerance=1e-4):
+            found = part.self_intersections()
+            places = np.asarray(found.parameters)[~np.asarray(found.touches)]
+            longest = max((np.ptp(part.evaluate(np.linspace(a, b, 20)), axis=0).max() for a, b in places), default=0.0)
+            assert longest <= 1e-8, (seed, places)
+            crossing += len(places) > 0
+            assert curve.nearest(part.evaluate(by_spans(part, 20))).distances.min() >= abs(distance) - 1e-4

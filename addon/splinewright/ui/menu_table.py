@@ -85,7 +85,8 @@ CONVERT = Menu('convert', "Convert", (
     'FILE_REFRESH')
 
 FROM_OBJECTS = Menu('curve_from_objects', "Curve from Objects", (
-    *_made(CURVES, ('offset', 'MOD_OFFSET'), ('blend', 'MOD_SMOOTH'), ('about', 'FORCE_VORTEX')),
+    Entry('add_offset', CURVES, 'MOD_OFFSET', text="Offset Curve"),
+    *_made(CURVES, ('blend', 'MOD_SMOOTH'), ('about', 'FORCE_VORTEX')),
     *_others(CURVE, 'add_touching_circle', 'intersections'), None,
     *_made(FOLLOWED, ('projected', 'MOD_SHRINKWRAP'), ('on_patch', 'UV')), None,
     *_made(SURFACES, ('section', 'MOD_BOOLEAN'), ('planes', 'MOD_ARRAY')), *_others(PATCH, 'extract_isocurve', 'extract_boundary')),

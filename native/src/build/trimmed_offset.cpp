@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "offset_loops.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/convert/to_bezier.hpp"
@@ -236,8 +237,34 @@ std::vector<std::size_t> followers_of(const std::vector<BezierPieces>& parts, do
   return next;
 }
 
+/// Whether what goes on at a place leads back along the end of a curve.
+bool leads_back(const BezierCurve& curve, const glm::dvec3& place) {
+  const glm::dvec3 gap = place - end_of(curve);
+  const auto points = curve.points();
+  const glm::dvec3 way = end_of(curve) - glm::dvec3(points[points.size() - 2]);
+  return glm::dot(gap, way) < 0.0;
+}
+
+/// Ends a run where it is nearest to a place that it has gone past.
+void end_beside(BezierPieces& run, const glm::dvec3& place) {
+  while (leads_back(run.back(), place)) {
+    const NurbsCurve last = curve_of({run.back()});
+    NearestOnCurve found;
+    nearest(last, std::span(&place, 1), std::span(&found, 1), 1);
+    const Interval domain = last.domain();
+    const double apart = kSamePlace * domain.length();
+    if (found.parameter > domain.start + apart) {
+      if (found.parameter < domain.end - apart) run.back() = to_bezier(split(last, found.parameter).first).front();
+      return;
+    }
+    if (run.size() == 1) return;
+    run.pop_back();
+  }
+}
+
 void append(BezierPieces& run, const BezierPieces& part) {
   if (!run.empty() && glm::distance(end_of(run.back()), start_of(part.front())) > kSamePlace) {
+    end_beside(run, start_of(part.front()));
     run.push_back(bezier_line(end_of(run.back()), start_of(part.front())));
   }
   run.insert(run.end(), part.begin(), part.end());
@@ -292,7 +319,9 @@ std::vector<BezierPieces> trimmed_offset(const NurbsCurve& curve, const NearSpac
       if (stretch.range.length() > kSamePlace * domain.length()) kept.add(raw[i], stretch);
     }
   }
-  return joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
+  std::vector<BezierPieces> joined = joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
+  for (BezierPieces& run : joined) run = without_loops(run, step.tolerance);
+  return joined;
 }
 
 }  // namespace splinecore

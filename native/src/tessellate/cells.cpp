@@ -26,7 +26,7 @@ constexpr double kLongest = 16.0;
 constexpr double kDeepest = 0.125;
 /// Cells this small are not split any more: 2^-22 of a span.
 constexpr Place kSmallest = kSpan >> 22;
-/// And these not for their normals, which turn at once where a surface folds.
+/// And these not for their normals, which turn at once where a surface folds, nor for their form.
 constexpr Place kSmallestTurn = kSpan >> 10;
 
 /// Something along u and along v.
@@ -102,7 +102,7 @@ class Splitter {
       if (const auto needed = by_sides(cell)) return needed;
     }
     if (const auto needed = by_angle(cell)) return needed;
-    return by_form();
+    return by_form(cell);
   }
 
   /// How much each direction adds to the distance from a face, where that is too large.
@@ -150,15 +150,18 @@ class Splitter {
     return std::max(needed.u, needed.v) > 0.0 ? std::optional(needed) : std::nullopt;
   }
 
-  /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle.
-  std::optional<Both> by_form() {
+  /// Neither much too long, but for the triangles around a pole, nor bowed like a sickle. A pole inside a cell is
+  /// inside one that is as long, however often that is cut.
+  std::optional<Both> by_form(const MeshCell& cell) {
     constexpr double kPoint = 1e-9;
+    const bool can_u = cell.u1 - cell.u0 > kSmallestTurn;
+    const bool can_v = cell.v1 - cell.v0 > kSmallestTurn;
     const auto [short_u, u] = places_.lengths(Axis::u);
     const auto [short_v, v] = places_.lengths(Axis::v);
     const bool is_long_u = u > kLongest * v && short_v > kPoint * v;
     const bool is_long_v = v > kLongest * u && short_u > kPoint * u;
-    const bool is_along_u = v > 0.0 && (is_long_u || places_.sagitta(Axis::u) > kDeepest * v);
-    const bool is_along_v = u > 0.0 && (is_long_v || places_.sagitta(Axis::v) > kDeepest * u);
+    const bool is_along_u = can_u && v > 0.0 && (is_long_u || places_.sagitta(Axis::u) > kDeepest * v);
+    const bool is_along_v = can_v && u > 0.0 && (is_long_v || places_.sagitta(Axis::v) > kDeepest * u);
     if (!is_along_u && !is_along_v) return std::nullopt;
     return Both{is_along_u ? u : 0.0, is_along_v ? v : 0.0};
   }

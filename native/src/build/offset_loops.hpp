@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bezier_runs.hpp"
+
+#pragma GCC visibility push(hidden)
+namespace splinecore {
+
+/// A run without the loops and folds that all lie within the tolerance of the rest of it: where pieces of an offset go on
+/// as one another but for their approximation, the one may begin before the other ends.
+BezierPieces without_loops(const BezierPieces& run, double tolerance);
+
+}  // namespace splinecore
+#pragma GCC visibility pop
