@@ -50,7 +50,8 @@ struct Sections {
 /// common, so that each of its values has one place at most. Where patches nearly touch, the difference of their heights
 /// over a plane tells the same of larger parts: a quadratic polynomial, and bounds of what it leaves. What known curves
 /// leave of the range of that parameter is looked at until hulls are apart there or Newton's method finds a place, from
-/// which a curve is followed, so that nothing is left. Where they touch the second derivatives of their distance tell along
+/// which a curve is followed, so that nothing is left. A border that lies on the other patch up to rounding is followed by
+/// nearest places, and ends where the patches touch and part to the other side from there on. Where they touch the second derivatives of their distance tell along
 /// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
 /// come to others; such that go on in each other within the tolerance are one. Patches that match by parameters, copies
 /// however refined, elevated, reversed or weighted and parts of them, are one where control points prove that they are within
