@@ -29,7 +29,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_label = "Make Exact"
     bl_description = ("Turn selected curves, surfaces and texts of Blender into Splinewright shapes of the same geometry, "
                       "in their place; surfaces become meshes, texts become curves")
-    needs = "Select a curve, surface or text that is no Splinewright shape"
+    needs = "Select a curve or surface that is no Splinewright shape, or a text"
     done = "Made {} exact"
     fits = staticmethod(_is_native)
 
