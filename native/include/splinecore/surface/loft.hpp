@@ -66,7 +66,8 @@ struct LoftOptions {
   LoftCorners corners = LoftCorners::free;
   SectionWeights weights = SectionWeights::scaled;
   double knot_distance = 0.0;       ///< knots of sections that are nearer, as a part of the domain, are taken for one
-  std::optional<double> tolerance;  ///< sections may be moved so far, for few knots: denser where sections bend sharply, and at their corners and creases
+  /// Sections may be moved so far, for few knots: denser where sections bend sharply, and at their corners and creases.
+  std::optional<double> tolerance;
   std::vector<double> parameters;   ///< along v, one for each section, and where closed one more; empty: by style
   std::vector<double> knots;        ///< along v, all, one period where closed; empty: averages of parameters
   LoftEnd start;
