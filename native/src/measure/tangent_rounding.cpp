@@ -9,7 +9,7 @@
 
 namespace splinecore {
 
-bool is_product_known(const NurbsPatch& patch, double u, double v, const Tangents& tangents, PatchOptions options) {
+bool is_product_known(const NurbsPatch& patch, double u, double v, const PatchSlopes& tangents, PatchOptions options) {
   constexpr double kRounding = 0x1p-50;
   constexpr double kKnown = 0x1p-14;
   const Samples at_u = Samples::make(patch.knot_vector(Axis::u), {&u, 1}, 1, options.side_u);

@@ -8,7 +8,7 @@
 namespace splinecore {
 
 /// The point and the first derivatives of a patch at a place.
-struct Tangents {
+struct PatchSlopes {
   glm::dvec3 point;
   glm::dvec3 u;
   glm::dvec3 v;
@@ -17,7 +17,7 @@ struct Tangents {
 /// Whether the product of two derivatives is known to a ten-thousandth, by the control points that they depend on: of patches whose weights
 /// or points differ much they are small beside the whole, and no rounding.
 /// @param patch  near the origin
-bool is_product_known(const NurbsPatch& patch, double u, double v, const Tangents& tangents, PatchOptions options);
+bool is_product_known(const NurbsPatch& patch, double u, double v, const PatchSlopes& tangents, PatchOptions options);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

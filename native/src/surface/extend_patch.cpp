@@ -19,8 +19,6 @@ namespace splinecore {
 
 namespace {
 
-constexpr int kLines = 9;
-
 /// A clamped curve that goes on along its tangent up to a parameter, as a straight homogeneous line.
 NurbsCurve with_straight_end(const NurbsCurve& curve, double end) {
   const int degree = curve.degree();
@@ -42,7 +40,16 @@ NurbsCurve with_straight_end(const NurbsCurve& curve, double end) {
 class Longer {
  public:
   Longer(const NurbsPatch& patch, Axis axis, Extension how)
-      : patch_(patch), axis_(axis), how_(how), domain_(patch.knot_vector(axis).domain()) {}
+      : patch_(patch), axis_(axis), how_(how), domain_(patch.knot_vector(axis).domain()) {
+    const KnotVector& along_side = patch.knot_vector(across(axis));
+    const int each = std::max(4, 64 / static_cast<int>(along_side.spans().size()));
+    for (int i = 0; i < static_cast<int>(along_side.spans().size()); ++i) {
+      const Interval span = along_side.span_interval(i);
+      for (int k = 0; k < each; ++k) {
+        lines_.push_back({span.start + span.length() * (k + 0.5) / each, span.length() / each / along_side.domain().length()});
+      }
+    }
+  }
 
   NurbsPatch until(double end) const {
     return along(patch_, axis_, [&](const NurbsCurve& line) {
@@ -56,19 +63,17 @@ class Longer {
     const auto points = added.points();
     const bool is_finite = std::ranges::all_of(points, [&](const glm::dvec4& p) { return p.w * points.front().w > 0.0; });
     if (!is_finite) return std::numeric_limits<double>::infinity();
-    const Interval others = added.knot_vector(across(axis_)).domain();
     double sum = 0.0;
-    for (int k = 0; k < kLines; ++k) {
-      const double at = k + 1 < kLines ? others.start + others.length() * k / (kLines - 1) : others.end;
-      sum += splinecore::length(isocurve(added, across(axis_), at)).value / kLines;
-    }
+    for (const Line& line : lines_) sum += line.share * splinecore::length(isocurve(added, across(axis_), line.at)).value;
     return sum;
   }
 
   /// The parameter up to which it is so much longer.
   double end_for(double wanted) const {
     constexpr int kDoublings = 48;
-    constexpr int kHalvings = 60;
+    constexpr int kSteps = 180;
+    constexpr double kSame = 0x1p-46;
+    constexpr double kPast = 1.0 + 0x1p-10;
     const KnotVector& knots = patch_.knot_vector(axis_);
     double low = 0.0;
     double step = 0.25 * knots.span_interval(static_cast<int>(knots.spans().size()) - 1).length();
@@ -85,20 +90,32 @@ class Longer {
       step *= std::max(next, 1.01);
       reached = length(domain_.end + step);
     }
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = low + 0.5 * (step - low);
+    double at_low = low > 0.0 ? length(domain_.end + low) : 0.0;
+    for (int i = 0; i < kSteps && reached - wanted > kSame * wanted; ++i) {
+      // By the chord, or where that is slow, as beside infinity, by halves.
+      const double chord = low + (step - low) * (wanted - at_low) / (reached - at_low) * kPast;
+      const double middle = i % 3 < 2 && chord > low && chord < step ? chord : low + 0.5 * (step - low);
       if (!(middle > low && middle < step)) break;
-      (length(domain_.end + middle) < wanted ? low : step) = middle;
+      const double there = length(domain_.end + middle);
+      (there < wanted ? low : step) = middle;
+      (there < wanted ? at_low : reached) = there;
     }
     if (!std::isfinite(length(domain_.end + step))) throw InvalidShape("the surface runs to infinity before it is so much longer");
     return domain_.end + step;
   }
 
  private:
+  /// A line across the side, and the part of it that it stands for.
+  struct Line {
+    double at;
+    double share;
+  };
+
   NurbsPatch patch_;
   Axis axis_;
   Extension how_;
   Interval domain_;
+  std::vector<Line> lines_;
 };
 
 NurbsPatch turned(const NurbsPatch& patch, Axis axis, const Interval& domain) {

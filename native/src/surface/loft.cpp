@@ -11,6 +11,7 @@
 #include "base/length.hpp"
 #include "base/positive_weights.hpp"
 #include "base/quotient.hpp"
+#include "calm_loft.hpp"
 #include "fit/row_spline.hpp"
 #include "going_on.hpp"
 #include "loft_misses.hpp"
@@ -181,10 +182,7 @@ void require_weights(const LoftSections& sections, std::span<const glm::dvec4> c
       "a straight or loose loft, or one within a tolerance, has no such trouble");
 }
 
-}  // namespace
-
-Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options) {
-  require_options(sections, options);
+Approximation<NurbsPatch> lofted(std::span<const LoftSection> sections, const LoftOptions& options) {
   const LoftSections made = loft_sections(sections, options);
   const Pace pace = pace_along(made, options);
   const RowSpline spline = spline_along(made, options, pace);
@@ -206,6 +204,13 @@ Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const Loft
     points[i * count_v + count_v - 1] = made.rows.back().points[i];
   }
   return {NurbsPatch::make(made.knots, spline.knots, std::move(points)), made.error + made.space.length(miss)};
+}
+
+}  // namespace
+
+Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options) {
+  require_options(sections, options);
+  return calm_loft(options, [&](const LoftOptions& calmer) { return lofted(sections, calmer); });
 }
 
 }  // namespace splinecore

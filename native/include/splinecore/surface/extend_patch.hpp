@@ -6,7 +6,7 @@
 
 namespace splinecore {
 
-/// The patch made longer at a side by a length, on average along it; it keeps its parameters, and the domain grows.
+/// The patch made longer at a side by a length, the mean of 64 or more lines along it; it keeps its parameters, and the domain grows.
 ///
 /// Naturally each line goes on by the polynomials of its last span (blossoms, row S20), straight along its tangent, once
 /// continuously differentiable. Arcs are for curves.

@@ -44,7 +44,9 @@ struct LoftNeighbour {
   NurbsPatch patch;
   Border side;
   int continuity = 1;     ///< 1: with its tangent planes, 2: and curvatures, 3: and how these change; 0: with its side alone
-  double strength = 1.0;  ///< how far it follows the patch: its speed by that of the loft elsewhere
+  /// How far it follows the patch: its speed by that of the loft elsewhere. Where with curvatures the loft would shoot out to three times
+  /// as far as with tangent planes alone, or weights would not stay positive, half of that, or a quarter, to a 256th.
+  double strength = 1.0;
 };
 
 /// How a loft begins or ends. One of these at most.
@@ -64,7 +66,8 @@ struct LoftOptions {
   LoftCorners corners = LoftCorners::free;
   SectionWeights weights = SectionWeights::scaled;
   double knot_distance = 0.0;       ///< knots of sections that are nearer, as a part of the domain, are taken for one
-  std::optional<double> tolerance;  ///< sections may be moved so far, for few knots: denser where sections bend sharply, and at their corners and creases
+  /// Sections may be moved so far, for few knots: denser where sections bend sharply, and at their corners and creases.
+  std::optional<double> tolerance;
   std::vector<double> parameters;   ///< along v, one for each section, and where closed one more; empty: by style
   std::vector<double> knots;        ///< along v, all, one period where closed; empty: averages of parameters
   LoftEnd start;
@@ -100,8 +103,8 @@ std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, co
 ///                    other. Both keep their beginnings, so that edges stay edges: where these do not lie beside each other, lines
 ///                    across lead from one to the other over several spans, and the surface is near the untwisted one: by hundredths
 ///                    of the radius of round sides
-/// @throws InvalidShape as loft() does; ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians,
-///         or off the curvatures by more than a thousandth of the largest
+/// @throws InvalidShape as loft() does; ToleranceNotReached where rounding leaves it off the tangent planes
+///         by more than 1e-4 radians, or off the curvatures by more than a thousandth of the largest
 NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned = true);
 
 }  // namespace splinecore
