@@ -148,7 +148,7 @@ def wider(view):
     yield from into_net()
     view.press('A')
     yield from redrawn()
-    yield from by_keys.keys(view, "S X 1.5 Enter")
+    yield from by_keys.keys(view, "S 1.2 Enter")
     yield from until(lambda: all(value(name) != was for name, was in before.items()), "all follow")
     view.press('TAB')
     yield from out_of_net()

@@ -182,6 +182,9 @@ def apart(view):
     yield from by_keys.add(view, "Surface > NURBS > Surface from Curves > Fill")
     yield from redrawn()
     picture("fill")
+    view.press('ESC')                   # what is said stands at the mouse
+    view.move(420, 420)
+    yield from redrawn()
     assert len(bpy.data.objects) == many, "what does not close is not filled"
     yield from by_keys.choose(view, names[2])
     yield from by_keys.keys(view, "G Z -0.5 Enter")
