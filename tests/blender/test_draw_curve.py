@@ -37,12 +37,11 @@ def test_what_is_no_stroke_is_refused(stroke):
     assert (len(bpy.data.objects), len(bpy.data.curves)) == before
 
 
-def test_there_are_two_pens_in_the_menus():
+def test_there_are_two_pens_in_the_menu():
     def begins(name):
         return getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}").begins_on_surface
     assert [begins('draw_curve'), begins('draw_on_surface')] == [False, True]
-    for menu in ("VIEW3D_MT_object", "VIEW3D_MT_curve_add"):
-        assert {'draw_curve', 'draw_on_surface'} <= set(drawn(menu))
+    assert {'draw_curve', 'draw_on_surface'} <= set(drawn("VIEW3D_MT_curve_add"))
     op(bpy.ops.splinewright.draw_on_surface, stroke=text_of(DRAWN), tolerance=0.0625)
     first = value(bpy.context.object)
     op(bpy.ops.splinewright.draw_curve, stroke=text_of(DRAWN), tolerance=0.0625)

@@ -381,4 +381,4 @@ def test_a_linked_follower_is_said_to_be_as_it_was_saved_and_costs_nothing(is_in
     assert "linked" in follow.problem(data) and "as that was saved" in follow.problem(data)
     if not is_instanced:
         activate(next(ob for ob in bpy.data.objects if ob.data == data))
-        assert "as that was saved" in " ".join(drawn().split())
+        assert "linked from asset.blend" in " ".join(drawn().split())

@@ -252,7 +252,7 @@ def test_recipes_refuse_and_say_what_is_keyed_instead():
     animate_row(ob, 0, 'place', {1: 0.0, 7: 6.0}, index=2)
     before = pool(ob)
     at(4)
-    assert np.array_equal(pool(ob), before) and "come of a recipe" in problems.of(ob.data, problems.KEYED)
+    assert np.array_equal(pool(ob), before) and "made by a recipe" in problems.of(ob.data, problems.KEYED)
     require_exact(ob)
 
 

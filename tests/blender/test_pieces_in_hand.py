@@ -105,7 +105,7 @@ def test_pairs_begin_with_two_pieces_of_one_shape_or_one_of_each_of_two():
 def test_the_numbers_that_are_asked_for_are_those_of_before():
     ob = add(value_of('many curves'))
     op(bpy.ops.splinewright.split, piece=2, parameter_u=3.0)
-    operator = SimpleNamespace(bl_idname='SPLINEWRIGHT_OT_split_curve')
+    operator = SimpleNamespace(bl_idname='SPLINEWRIGHT_OT_split')
     assert hand.asked(operator) == {'piece': {"shape": (1, 2, 2, 3, 4)}}
     assert hand.asked(SimpleNamespace(bl_idname='SPLINEWRIGHT_OT_reverse')) == {}
     op(bpy.ops.splinewright.reverse, piece=1)

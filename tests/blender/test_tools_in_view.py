@@ -306,10 +306,11 @@ def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
 
 
 def tools_shown():
-    """The names of the tools of the toolbar of Edit Mode of meshes."""
+    """The names of Blender's own tools in the toolbar of Edit Mode of meshes."""
     from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
     found = VIEW3D_PT_tools_active.tools_from_context(bpy.context, mode='EDIT_MESH')
-    return [tool.idname for tool in VIEW3D_PT_tools_active._tools_flatten(found) if tool is not None]
+    return [tool.idname for tool in VIEW3D_PT_tools_active._tools_flatten(found) if tool is not None
+            and tool.idname.startswith('builtin.')]
 
 
 WITHOUT_MEANING = {f"builtin.{name}" for name in ('inset_faces', 'bevel', 'knife', 'bisect', 'poly_build', 'spin', 'rip_region', 'primitive_cube_add')}
