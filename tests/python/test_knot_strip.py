@@ -194,7 +194,7 @@ def test_a_parameter_of_a_hermite_chain_is_moved():
 @pytest.mark.parametrize('value, number, to, words', (
     (clamped(3, (1, 2)), 4, 2.0, "between 0 and 2"), (clamped(3, (1, 2)), 4, -1.0, "between 0 and 2"),
     (clamped(3, (1, 2)), 4, float('nan'), "between 0 and 2"), (clamped(3, (1, 2)), 4, float('inf'), "between 0 and 2"),
-    (clamped(3, (1, 2)), 0, 0.5, "Reparameterize"), (clamped(3, (1, 2)), 9, 2.5, "Reparametrise"),
+    (clamped(3, (1, 2)), 0, 0.5, "Reparameterize"), (clamped(3, (1, 2)), 9, 2.5, "Reparameterize"),
     (clamped(3, (1, 2)), 10, 0.5, "none of number 11"), (clamped(3, (1, 2)), -1, 0.5, "none of number 0"),
     (periodic(), 0, -0.5, "begins at this knot"), (unclamped(), 0, 1.0, "below 1"), (unclamped(), 10, 9.0, "above 9"),
     (sc.BezierCurve(RNG.normal(size=(4, 3))), 0, 0.5, "no knots")))
