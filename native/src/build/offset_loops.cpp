@@ -96,7 +96,33 @@ std::optional<BezierPieces> shortened(const BezierPieces& run, double tolerance)
   return whole;
 }
 
+BezierCurve with_end(const BezierCurve& piece, bool is_last, const glm::dvec3& place) {
+  std::vector<glm::dvec4> points(piece.points().begin(), piece.points().end());
+  glm::dvec4& end = is_last ? points.back() : points.front();
+  end = glm::dvec4(place * end.w, end.w);
+  return piece.with_points(std::move(points));
+}
+
 }  // namespace
+
+BezierPieces without_specks(const BezierPieces& run, double tolerance) {
+  constexpr double kSpeck = 0x1p-20;
+  constexpr double kOfTolerance = 0x1p-6;
+  const double most = std::min(kSpeck, kOfTolerance * tolerance);
+  BezierPieces kept;
+  std::optional<glm::dvec3> start;
+  for (const BezierCurve& piece : run) {
+    if (length_of(piece) <= most) {
+      if (!start) start = start_of(piece);
+      continue;
+    }
+    kept.push_back(start ? with_end(piece, false, *start) : piece);
+    start.reset();
+  }
+  if (kept.empty()) return run;
+  if (start) kept.back() = with_end(kept.back(), true, end_of(run.back()));
+  return kept;
+}
 
 BezierPieces without_loops(const BezierPieces& run, double tolerance) {
   // Of loops that overlap one goes at a time.

@@ -320,7 +320,7 @@ std::vector<BezierPieces> trimmed_offset(const NurbsCurve& curve, const NearSpac
     }
   }
   std::vector<BezierPieces> joined = joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
-  for (BezierPieces& run : joined) run = without_loops(run, step.tolerance);
+  for (BezierPieces& run : joined) run = without_specks(without_loops(run, step.tolerance), step.tolerance);
   return joined;
 }
 

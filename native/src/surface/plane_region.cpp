@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "seen_point.hpp"
@@ -23,8 +24,15 @@ double area_of(const Line& line) {
   return 0.5 * sum;
 }
 
+/// Whether the boxes about two segments have no point in common: of parts of one line rounding tells nothing else.
+bool are_beside(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+  return std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) || std::max(a.y, b.y) < std::min(c.y, d.y) ||
+         std::max(c.y, d.y) < std::min(a.y, b.y);
+}
+
 /// Whether two segments have a point in common.
 bool do_touch(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+  if (are_beside(a, b, c, d)) return false;
   const double c_side = cross(b - a, c - a);
   const double d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c);
@@ -328,21 +336,35 @@ class RegionCutter {
     return (is_first ? first : second) / (first + second);
   }
 
-  /// Adds the parts of a loop that is not seen whole. @returns whether that can be done
-  bool divide(const Loop& loop) {
-    std::vector<RegionChord> chords = chords_in(loop);
-    if (chords.empty()) return false;
-    const RegionChord* best = nullptr;
-    double most = -1.0;
-    for (const RegionChord& chord : chords) {
-      const double worth = worth_of(loop, chord);
-      if (worth > most) {
-        most = worth;
-        best = &chord;
-      }
-      if (worth == 2.0) break;
+  /// The chords of a loop, the best first; those as good in order of length.
+  std::vector<RegionChord> best_chords(const Loop& loop) {
+    std::vector<std::pair<double, RegionChord>> found;
+    for (const RegionChord& chord : chords_in(loop)) {
+      found.emplace_back(worth_of(loop, chord), chord);
+      if (found.back().first == 2.0) break;
     }
-    const Halves halves = halves_of(loop, *best);
+    std::ranges::stable_sort(found, std::greater(), &std::pair<double, RegionChord>::first);
+    std::vector<RegionChord> chords;
+    for (const auto& [worth, chord] : found) chords.push_back(chord);
+    return chords;
+  }
+
+  /// Adds the parts of a loop that is not seen whole. Where the rest that a chord leaves has none, others are tried, in all so many.
+  /// @returns whether that can be done
+  bool divide(const Loop& loop) {
+    const std::size_t parts = made_.parts.size();
+    const std::size_t sides = made_.sides.size();
+    for (const RegionChord& chord : best_chords(loop)) {
+      if (is_divided(halves_of(loop, chord))) return true;
+      made_.parts.resize(parts);
+      made_.sides.resize(sides);
+      lines_.resize(sides);
+      if (tries_left_-- <= 0) return false;
+    }
+    return false;
+  }
+
+  bool is_divided(const Halves& halves) {
     for (const Loop* half : {&halves.first, &halves.second}) {
       const std::optional<glm::dvec2> from = seen_from(*half);
       if (from) {
@@ -354,6 +376,7 @@ class RegionCutter {
     return true;
   }
 
+  int tries_left_ = 100;
   CutRegion made_;
   std::vector<Line> lines_;
 };
