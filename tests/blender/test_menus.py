@@ -163,11 +163,27 @@ def test_a_command_is_in_one_menu():
     objects = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)]
     adding = [entry.operator for top in (menu_table.ADD_CURVE, menu_table.ADD_SURFACE) for entry in menu_table.operators_in(top)]
     from_objects = {entry.operator for menu in (menu_table.FROM_CURVES, menu_table.FROM_SURFACES) for entry in menu.entries}
-    objects = [name for name in objects if name != 'show_sight']        # one for each overlay
-    assert len(objects) == len(set(objects)) and len(adding) == len(set(adding))
+    for kind in sorted(part('ui.kinds').ALL):
+        of_kind = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)
+                   if entry.operator != 'show_sight' and entry.concerns is not None and kind in entry.concerns]
+        assert len(of_kind) == len(set(of_kind)), kind
+    assert set(adding) and {name for name in adding if adding.count(name) > 1} == {'add_filling'}, "for curves, and for surfaces"
     assert set(objects) & set(adding) == from_objects, "what is made of objects is under Add, too, in the same menus"
     listed = {*objects, *adding, *nets, 'show_sight'}
     assert listed | ELSEWHERE == set(dir(bpy.ops.splinewright)), (set(dir(bpy.ops.splinewright)) - listed - ELSEWHERE, (listed | ELSEWHERE) - set(dir(bpy.ops.splinewright)))
+
+
+@pytest.mark.parametrize('makes', (
+    (lambda: add(value_of('nurbs')),), (lambda: add(patches.value_of('plain nurbs')),), (native_curve,),
+    (lambda: add(value_of('nurbs'), "one"), lambda: add(value_of('nurbs'), "other")),
+    (lambda: add(patches.value_of('plain nurbs'), "one"), lambda: add(patches.value_of('plain nurbs'), "other")),
+    (lambda: add(value_of('nurbs'), "curve"), lambda: add(patches.value_of('plain nurbs'), "patch"))))
+def test_what_can_be_made_of_what_is_selected_is_in_the_menu(makes):
+    activate(*[make() or bpy.context.object for make in makes])
+    found = drawn(CONTEXT)
+    offered_now = {f"add_{recipe.kind}" for recipe in part('core.recipes.table').DERIVED if hasattr(bpy.types, f"SPLINEWRIGHT_OT_add_{recipe.kind}")
+                   and getattr(bpy.ops.splinewright, f"add_{recipe.kind}").poll()}
+    assert offered_now and not offered_now - set(found), offered_now - set(found)
 
 
 def test_the_header_has_the_menu_while_there_is_something_to_do():

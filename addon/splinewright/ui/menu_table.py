@@ -1,6 +1,6 @@
 """All our menus: their entries, and which kinds of selected objects an entry concerns. menus.py shows them.
 
-Where a menu belongs in Blender says menus.py, too. An operator stands in one menu.
+Where a menu belongs in Blender says menus.py, too. For each kind of object an operator stands in one menu.
 """
 
 from typing import NamedTuple
@@ -98,7 +98,7 @@ FROM_CURVES = Menu('surface_from_curves', "Surface from Curves", _made(
 FROM_SURFACES = Menu('surface_from_surfaces', "Surface from Surfaces", (
     *_made(SURFACES, ('surface_blend', 'MOD_SMOOTH'), ('matched', 'SNAP_EDGE'), ('rounded_edge', 'MOD_BEVEL'), ('offset_surface', 'MOD_OFFSET'),
            ('thickened', 'MOD_SOLIDIFY'), ('extended_surface', 'MOD_EDGESPLIT')),
-    *_others(PATCH, 'cap'), *_made(ANY, ('of_mesh', 'MOD_SUBSURF'))), 'MOD_SOLIDIFY')
+    *_made(PATCH, ('filling', 'MESH_GRID')), *_others(PATCH, 'cap'), *_made(ANY, ('of_mesh', 'MOD_SUBSURF'))), 'MOD_SOLIDIFY')
 
 POINTS = Menu('points', "Points", (
     *_others(FOLLOWED, 'curve_through_points', 'fit_curve'), *_others(CURVE, 'divide_equally'), *_others(SHAPES, 'project_points')),
@@ -109,7 +109,7 @@ CONSTRUCTION = Menu('construction', "Construction", (
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVE, ('basis', 'NONE'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas')), 'HELP')
+    *_made(CURVES, ('basis', 'NONE'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas')), 'HELP')
 SHOW = Menu('show', "Show", tuple(Entry('show_sight', text=sight.label, settings=(('sight', name),)) for name, sight in SIGHTS.items()),
             'OVERLAY')
 
