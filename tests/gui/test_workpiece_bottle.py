@@ -52,7 +52,7 @@ def lofted(view):
     yield from redrawn()
     assert open_ends() == 2
     picture("loft")
-    yield from by_keys.search(view, "cap")
+    yield from by_keys.search(view, "cap holes")
     yield from until(lambda: open_ends() == 0, "caps at both ends")
     assert len(value()) == 3 and value().volume() > 0
     yield from redrawn()

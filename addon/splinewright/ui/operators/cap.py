@@ -13,7 +13,7 @@ from .selected import OnSelected
 
 class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.cap"
-    bl_label = "Cap"
+    bl_label = "Cap Holes"
     bl_description = ("Close open ends of surfaces by patches that share their points; the normals of what is closed then point "
                       "outwards. What follows its curves gets Caps in its panel, and goes on following")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
