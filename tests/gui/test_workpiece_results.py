@@ -206,8 +206,8 @@ def inputs_changed(view):
     """All follow where they have been moved to, and so do the copies."""
     before = all_seen()
     yield from by_keys.choose(view, *visible_inputs())
-    followers = {kind for kind, names in INPUTS.items() if set(names) <= set(visible_inputs())}
-    assert followers == set(KINDS) - {'rounded_edge', 'thickened', 'extended_surface', 'mirror'}     # they hide theirs
+    followers = {kind for kind, names in INPUTS.items() if set(names) & set(visible_inputs())}
+    assert followers == set(KINDS) - {'rounded_edge', 'thickened', 'extended_surface', 'mirror'}     # they hide theirs, Match one of two
     bpy.context.scene.tool_settings.transform_pivot_point = 'INDIVIDUAL_ORIGINS'
     yield from by_keys.keys(view, "S 1.2 Enter")
     yield from until(lambda: set(unlike(all_seen(), before)) == followers, "all follow")

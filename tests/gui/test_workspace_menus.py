@@ -50,15 +50,8 @@ def net(name):
     return begin
 
 
-def native(view):
-    with view.override():
-        bpy.ops.curve.primitive_bezier_circle_add()
-    yield from redrawn()
-
-
 STATES = {'nothing': lambda view: added(view), 'curve': lambda view: added(view, 'add_nurbs_curve'),
-          'patch': lambda view: added(view, 'add_nurbs_patch'), 'follower': follower, 'native': native,
-          'curve-net': net('add_nurbs_curve'), 'patch-net': net('add_nurbs_patch')}
+          'patch': lambda view: added(view, 'add_nurbs_patch'), 'follower': follower, 'patch-net': net('add_nurbs_patch')}
 
 
 def shown(menu):
