@@ -44,5 +44,5 @@ def test_every_operator_it_names_is_there():
     source = "".join(path.read_text() for path in (PROJECT / "addon/splinewright/ui/operators").glob("*.py"))
     assert len(names) >= 12
     for name in names:
-        row = rf"^    \('{name}', \""            # of the table of operators without settings
+        row = rf"^    (along|plain)\((\w+, )?'{name}', \""            # of the tables of operators without settings
         assert f'bl_idname = "splinewright.{name}"' in source or re.search(row, source, re.M), name

@@ -3,7 +3,7 @@
 import bpy
 
 from ..bridge import recipes, shape, store, surveys
-from . import hand
+from . import hand, kinds
 
 #: What buttons leave out of an operator's label, which Undo History shows, too.
 _LEFT_OUT = ("Add ",)
@@ -35,7 +35,7 @@ def is_grey(entry, obs):
     """Whether every shape among objects that an entry of ui.menu_table concerns would refuse it."""
     if not (entry.changes or entry.operator in _REFUSING):
         return False
-    shapes = [ob for ob in obs if shape.has_shape(ob) and ('curve' if ob.type == 'CURVE' else 'patch') in entry.concerns]
+    shapes = [ob for ob in obs if kinds.of(ob) in entry.concerns & kinds.SHAPES]
     return bool(shapes) and all(_refuses(ob.data, entry.operator, len(shapes)) for ob in shapes)
 
 

@@ -8,7 +8,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty, IntProper
 from ...bridge import replacing
 from ...core import patch_verbs, verbs
 from . import pieces
-from .on_shapes import OnCurves, OnShapes
+from .on_shapes import OnCurves, OnShapes, plain
 from .pieces import scene_tolerance_property, tolerance_property
 
 
@@ -70,17 +70,6 @@ class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
         return partial(verb, self.length, self.ends)
 
 
-class SPLINEWRIGHT_OT_to_bezier(OnShapes, bpy.types.Operator):
-    bl_idname = "splinewright.to_bezier"
-    bl_label = "Convert to Bezier"
-    bl_description = "Make every span a Bezier curve or patch, a piece of the same shape; neighbors share their points"
-    bl_options = {'REGISTER', 'UNDO'}
-    done, already = "Made {} Bezier", "its pieces are Bezier already"
-
-    def verb_on(self, is_curve):
-        return verbs.to_bezier_chain() if is_curve else patch_verbs.to_bezier()
-
-
 class SPLINEWRIGHT_OT_to_hermite(OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.to_hermite"
     bl_label = "Convert to Hermite"
@@ -93,28 +82,6 @@ class SPLINEWRIGHT_OT_to_hermite(OnShapes, bpy.types.Operator):
 
     def verb_on(self, is_curve):
         return verbs.to_hermite(self.length) if is_curve else patch_verbs.to_hermite()
-
-
-class SPLINEWRIGHT_OT_to_nurbs(OnShapes, bpy.types.Operator):
-    bl_idname = "splinewright.to_nurbs"
-    bl_label = "Convert to NURBS"
-    bl_description = "Make Bezier and Hermite shapes NURBS; they stay the same"
-    bl_options = {'REGISTER', 'UNDO'}
-    done, already = "Made {} NURBS", "it is NURBS already"
-
-    def verb_on(self, is_curve):
-        return verbs.to_nurbs() if is_curve else patch_verbs.to_nurbs()
-
-
-class SPLINEWRIGHT_OT_standard_form(OnCurves, bpy.types.Operator):
-    bl_idname = "splinewright.standard_form"
-    bl_label = "Normalize Weights"
-    bl_description = "Change the parameter so that both end weights are 1 (standard form); the curve stays the same"
-    bl_options = {'REGISTER', 'UNDO'}
-    done, already = "Normalized the weights of {}", "the end weights are 1 already"
-
-    def verb(self):
-        return verbs.standard_form()
 
 
 class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
@@ -141,5 +108,16 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
         return super().invoke(context, event)
 
 
-CLASSES = (SPLINEWRIGHT_OT_rebuild, SPLINEWRIGHT_OT_fair, SPLINEWRIGHT_OT_to_bezier, SPLINEWRIGHT_OT_to_hermite,
-           SPLINEWRIGHT_OT_to_nurbs, SPLINEWRIGHT_OT_standard_form, SPLINEWRIGHT_OT_project_curve)
+_PLAIN = (
+    plain(OnShapes, 'to_bezier', "Convert to Bezier",
+          "Make every span a Bezier curve or patch, a piece of the same shape; neighbors share their points",
+          "Made {} Bezier", "its pieces are Bezier already",
+          verb_on=lambda self, is_curve: verbs.to_bezier_chain() if is_curve else patch_verbs.to_bezier()),
+    plain(OnShapes, 'to_nurbs', "Convert to NURBS", "Make Bezier and Hermite shapes NURBS; they stay the same",
+          "Made {} NURBS", "it is NURBS already",
+          verb_on=lambda self, is_curve: verbs.to_nurbs() if is_curve else patch_verbs.to_nurbs()),
+    plain(OnCurves, 'standard_form', "Normalize Weights",
+          "Change the parameter so that both end weights are 1 (standard form); the curve stays the same",
+          "Normalized the weights of {}", "the end weights are 1 already", verb=lambda self: verbs.standard_form()))
+
+CLASSES = (SPLINEWRIGHT_OT_rebuild, SPLINEWRIGHT_OT_fair, SPLINEWRIGHT_OT_to_hermite, SPLINEWRIGHT_OT_project_curve, *_PLAIN)

@@ -7,7 +7,7 @@ from ...bridge import settings
 from ...core import parameters, patch_verbs, verbs
 from ...core.failures import Refusal
 from . import pieces
-from .on_shapes import AlongShapes, AtShapeParameters, OnPatches, WithinTolerance, WithNeighbors
+from .on_shapes import AlongShapes, AtShapeParameters, OnPatches, WithinTolerance, WithNeighbors, along
 from .pieces import scene_tolerance_property, times_property, tolerance_property
 
 
@@ -121,16 +121,6 @@ class SPLINEWRIGHT_OT_split(AtShapeParameters, WithNeighbors, bpy.types.Operator
         return verbs.split_at_knots() if self.where == 'KNOTS' else verbs.split(carry(self.parameter(axis)))
 
 
-class SPLINEWRIGHT_OT_reverse(AlongShapes, bpy.types.Operator):
-    bl_idname = "splinewright.reverse"
-    bl_label = "Switch Direction"
-    bl_description = "Let curves or patches run the other way; in one direction of patches this flips their normals"
-    done, already = "Switched the direction of {}", "it is the same in both directions"
-
-    def verb_along(self, axis, carry, spent):
-        return verbs.reverse()
-
-
 class SPLINEWRIGHT_OT_reparameterize(pieces.Reparameterizes, AlongShapes, bpy.types.Operator):
     bl_idname = "splinewright.reparameterize"
     bl_label = "Reparameterize"
@@ -142,26 +132,6 @@ class SPLINEWRIGHT_OT_reparameterize(pieces.Reparameterizes, AlongShapes, bpy.ty
 
     def verb_along(self, axis, carry, spent):
         return self.change()
-
-
-class SPLINEWRIGHT_OT_clamp(AlongShapes, bpy.types.Operator):
-    bl_idname = "splinewright.clamp"
-    bl_label = "Clamp Ends"
-    bl_description = "Let the shape begin and end in its outer control points; a periodic one is cut at its seam"
-    done, already = "Clamped {}", "it begins and ends in its outer points already"
-
-    def verb_along(self, axis, carry, spent):
-        return verbs.clamp()
-
-
-class SPLINEWRIGHT_OT_unclamp(AlongShapes, bpy.types.Operator):
-    bl_idname = "splinewright.unclamp"
-    bl_label = "Unclamp Ends"
-    bl_description = "Spread the knots at the ends, so that the shape touches no outer point; a periodic one is opened"
-    done, already = "Unclamped {}", "its knots go on outside the domain already"
-
-    def verb_along(self, axis, carry, spent):
-        return verbs.unclamp()
 
 
 class SPLINEWRIGHT_OT_make_periodic(AlongShapes, bpy.types.Operator):
@@ -198,7 +168,14 @@ class SPLINEWRIGHT_OT_swap_uv(OnPatches, bpy.types.Operator):
         return outcome
 
 
+_ALONG = (
+    along('reverse', "Switch Direction", "Let curves or patches run the other way; in one direction of patches this flips their normals",
+          "Switched the direction of {}", "it is the same in both directions", verb=verbs.reverse),
+    along('clamp', "Clamp Ends", "Let the shape begin and end in its outer control points; a periodic one is cut at its seam",
+          "Clamped {}", "it begins and ends in its outer points already", verb=verbs.clamp),
+    along('unclamp', "Unclamp Ends", "Spread the knots at the ends, so that the shape touches no outer point; a periodic one is opened",
+          "Unclamped {}", "its knots go on outside the domain already", verb=verbs.unclamp))
+
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
-           SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split, SPLINEWRIGHT_OT_reverse,
-           SPLINEWRIGHT_OT_reparameterize, SPLINEWRIGHT_OT_clamp, SPLINEWRIGHT_OT_unclamp, SPLINEWRIGHT_OT_make_periodic,
-           SPLINEWRIGHT_OT_swap_uv)
+           SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split,
+           SPLINEWRIGHT_OT_reparameterize, SPLINEWRIGHT_OT_make_periodic, SPLINEWRIGHT_OT_swap_uv, *_ALONG)

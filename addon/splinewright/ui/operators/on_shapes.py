@@ -12,6 +12,7 @@ from ...core import parameters, patch_verbs, verbs
 from .. import hand
 from . import pieces
 from .pieces import parameter_property
+from .selected import OnSelected
 
 _AXES = {'U': 'u', 'V': 'v', 'BOTH': 'uv'}
 
@@ -153,3 +154,14 @@ class WithinTolerance(pieces.WithinTolerance):
     def left(self, spent):
         return None if self.allowed is None else max(self.allowed - spent, 0.0)
 
+
+def plain(base, name, label, description, done, already, options=OnSelected.bl_options, **verb):
+    """The operator of a verb without settings of its own. verb: the method of the base that gives it."""
+    members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'bl_options': options,
+               'done': done, 'already': already, '__annotations__': {}, **verb}
+    return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)
+
+
+def along(name, *words, verb):
+    """plain() of a verb of core.verbs along each chosen direction."""
+    return plain(AlongShapes, name, *words, options=AlongShapes.bl_options, verb_along=lambda self, axis, carry, spent: verb())
