@@ -1,20 +1,16 @@
 #include "offset_loops.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
+#include "curve_parts.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/convert/to_bezier.hpp"
-#include "splinecore/curve/evaluate.hpp"
 #include "splinecore/meet/intersections.hpp"
-#include "splinecore/meet/nearest.hpp"
 
 namespace splinecore {
 
@@ -23,38 +19,14 @@ namespace {
 /// Of where a curve meets itself: ends as near are joined.
 constexpr double kRounding = 0x1p-28;
 
-NurbsCurve part_of(const NurbsCurve& curve, const Interval& range) {
-  NurbsCurve part = curve;
-  if (range.end < part.domain().end) part = split(part, range.end).first;
-  if (range.start > part.domain().start) part = split(part, range.start).second;
-  return part;
-}
-
-/// Places of all spans of a part, their ends among them.
-std::vector<glm::dvec3> samples_of(const NurbsCurve& part) {
-  constexpr int kLooks = 8;
-  std::vector<double> at;
-  for (std::size_t i = 0; i < part.knot_vector().spans().size(); ++i) {
-    const Interval span = part.knot_vector().span_interval(static_cast<int>(i));
-    for (int k = 0; k <= kLooks; ++k) at.push_back(std::lerp(span.start, span.end, static_cast<double>(k) / kLooks));
-  }
-  std::vector<glm::dvec3> points(at.size());
-  evaluate(part, at, std::span(&points[0].x, 3 * points.size()));
-  return points;
-}
-
 /// Whether a stretch of a curve lies within the tolerance of what is before it and behind it.
-bool is_covered(const NurbsCurve& curve, const Interval& stretch, double tolerance) {
+bool is_repeated(const NurbsCurve& curve, const Interval& stretch, double tolerance) {
   const Interval domain = curve.domain();
-  const std::vector<glm::dvec3> samples = samples_of(part_of(curve, stretch));
-  std::vector<double> least(samples.size(), std::numeric_limits<double>::infinity());
-  std::vector<NearestOnCurve> found(samples.size());
-  for (const Interval& rest : {Interval{domain.start, stretch.start}, Interval{stretch.end, domain.end}}) {
-    if (!(rest.length() > kSamePlace * domain.length())) continue;
-    nearest(part_of(curve, rest), samples, found, 1);
-    for (std::size_t i = 0; i < samples.size(); ++i) least[i] = std::min(least[i], found[i].distance);
+  std::vector<NurbsCurve> rest;
+  for (const Interval& range : {Interval{domain.start, stretch.start}, Interval{stretch.end, domain.end}}) {
+    if (range.length() > kSamePlace * domain.length()) rest.push_back(part_of(curve, range));
   }
-  return std::ranges::max(least) <= tolerance;
+  return is_covered(part_of(curve, stretch), rest, tolerance);
 }
 
 /// What a curve goes through between two times that it is at one place, the longest first.
@@ -76,7 +48,7 @@ std::optional<BezierPieces> shortened(const BezierPieces& run, double tolerance)
   std::vector<Interval> left_out;
   for (const Interval& loop : loops_of(curve)) {
     const auto overlaps = [&](const Interval& other) { return loop.start < other.end && other.start < loop.end; };
-    if (std::ranges::none_of(left_out, overlaps) && is_covered(curve, loop, tolerance)) left_out.push_back(loop);
+    if (std::ranges::none_of(left_out, overlaps) && is_repeated(curve, loop, tolerance)) left_out.push_back(loop);
   }
   if (left_out.empty()) return std::nullopt;
   std::ranges::sort(left_out, {}, &Interval::start);

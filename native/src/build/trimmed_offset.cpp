@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <span>
 #include <utility>
 
+#include "curve_parts.hpp"
 #include "offset_loops.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/base/pause.hpp"
@@ -53,14 +53,6 @@ std::vector<double> distinct(std::vector<double> values, double same) {
   values.erase(std::unique(values.begin(), values.end(), are_one), values.end());
   values.back() = last;
   return values;
-}
-
-/// The part of a curve between two parameters.
-NurbsCurve part_of(const NurbsCurve& curve, const Interval& range) {
-  NurbsCurve part = curve;
-  if (range.end < part.domain().end) part = split(part, range.end).first;
-  if (range.start > part.domain().start) part = split(part, range.start).second;
-  return part;
 }
 
 std::vector<glm::dvec3> places_of(const NurbsCurve& curve, std::span<const double> at) {
@@ -166,7 +158,7 @@ class KeptParts {
 
   std::vector<BezierPieces> pieces() {
     for (NurbsCurve& part : doubtful_) {
-      if (!is_covered(part)) parts_.push_back(std::move(part));
+      if (!is_covered(part, parts_, tolerance_)) parts_.push_back(std::move(part));
     }
     std::vector<BezierPieces> found;
     for (const NurbsCurve& part : parts_) found.push_back(to_bezier(part));
@@ -174,37 +166,9 @@ class KeptParts {
   }
 
  private:
-  static std::vector<glm::dvec3> samples_of(const NurbsCurve& part) {
-    constexpr int kLooks = 8;
-    std::vector<double> at;
-    for (const auto& [start, end] : spans_of(part)) {
-      for (int k = 0; k <= kLooks; ++k) at.push_back(std::lerp(start, end, static_cast<double>(k) / kLooks));
-    }
-    return places_of(part, at);
-  }
-
-  static std::vector<Interval> spans_of(const NurbsCurve& part) {
-    std::vector<Interval> found;
-    for (std::size_t i = 0; i < part.knot_vector().spans().size(); ++i) {
-      found.push_back(part.knot_vector().span_interval(static_cast<int>(i)));
-    }
-    return found;
-  }
-
   bool is_long(const NurbsCurve& part) const {
     const std::vector<glm::dvec3> samples = samples_of(part);
     return std::ranges::any_of(samples, [&](const glm::dvec3& p) { return glm::distance(p, samples[0]) > tolerance_; });
-  }
-
-  bool is_covered(const NurbsCurve& part) const {
-    const std::vector<glm::dvec3> samples = samples_of(part);
-    std::vector<double> least(samples.size(), std::numeric_limits<double>::infinity());
-    std::vector<NearestOnCurve> found(samples.size());
-    for (const NurbsCurve& other : parts_) {
-      nearest(other, samples, found, 1);
-      for (std::size_t i = 0; i < samples.size(); ++i) least[i] = std::min(least[i], found[i].distance);
-    }
-    return std::ranges::max(least) <= tolerance_;
   }
 
   double tolerance_;

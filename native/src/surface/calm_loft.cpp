@@ -18,7 +18,7 @@ namespace splinecore {
 
 namespace {
 
-std::vector<double> places_in_spans(const KnotVector& knots, int in_span) {
+std::vector<double> places_across(const KnotVector& knots, int in_span) {
   const Interval domain = knots.domain();
   std::vector<double> ends{domain.start, domain.end};
   for (const double knot : knots.knots()) {
@@ -29,8 +29,8 @@ std::vector<double> places_in_spans(const KnotVector& knots, int in_span) {
 
 /// The largest distance of its places from the middle of both sides, by that of the sides.
 double reach_of(const NurbsPatch& loft) {
-  const std::vector<double> u = places_in_spans(loft.knot_vector(Axis::u), 6);
-  const std::vector<double> v = places_in_spans(loft.knot_vector(Axis::v), 16);
+  const std::vector<double> u = places_across(loft.knot_vector(Axis::u), 6);
+  const std::vector<double> v = places_across(loft.knot_vector(Axis::v), 16);
   std::vector<glm::dvec3> points(u.size() * v.size());
   evaluate_grid(loft, u, v, std::span(&points[0].x, 3 * points.size()), {.at_infinity = AtInfinity::nan});
   const auto first = [&](std::size_t i) { return points[i * v.size()]; };
