@@ -108,7 +108,8 @@ def test_a_curve_of_blender_is_made_exact_or_followed():
 
 
 @pytest.mark.parametrize('value, own, others', (
-    (lambda: value_of('cubic'), {"SPLINEWRIGHT_MT_corners", "trim_curve", "add_revolve"}, {"swap_uv", "join_patches"}),
+    (lambda: value_of('cubic'), {"SPLINEWRIGHT_MT_corners", "trim_curve", "add_revolve"},
+     {"swap_uv", "join_patches", "SPLINEWRIGHT_MT_surface_from_surfaces"}),
     (lambda: patches.value_of('bicubic'), {"swap_uv", "extract_isocurve", "add_thickened"},
      {"SPLINEWRIGHT_MT_corners", "trim_curve", "add_revolve"})))
 def test_a_shape_has_its_verbs(value, own, others):

@@ -98,7 +98,7 @@ FROM_CURVES = Menu('surface_from_curves', "Surface from Curves", _made(
 FROM_SURFACES = Menu('surface_from_surfaces', "Surface from Surfaces", (
     *_made(SURFACES, ('surface_blend', 'MOD_SMOOTH'), ('matched', 'SNAP_EDGE'), ('rounded_edge', 'MOD_BEVEL'), ('offset_surface', 'MOD_OFFSET'),
            ('thickened', 'MOD_SOLIDIFY'), ('extended_surface', 'MOD_EDGESPLIT')),
-    *_made(PATCH, ('filling', 'MESH_GRID')), *_others(PATCH, 'cap'), *_made(ANY, ('of_mesh', 'MOD_SUBSURF'))), 'MOD_SOLIDIFY')
+    *_made(PATCH, ('filling', 'MESH_GRID')), *_others(PATCH, 'cap'), *_made(SURFACES, ('of_mesh', 'MOD_SUBSURF'))), 'MOD_SOLIDIFY')
 
 POINTS = Menu('points', "Points", (
     *_others(FOLLOWED, 'curve_through_points', 'fit_curve'), *_others(CURVE, 'divide_equally'), *_others(SHAPES, 'project_points')),
