@@ -199,7 +199,7 @@ def area_within(curve):
 
 
 def test_between_a_contour_and_its_offset_a_ring_is_filled(inputs):
-    """Of some that were stretched, the offset comes back in parts, or no cut is found: that is said, and rarely so."""
+    """Of few that were stretched, the offset comes back in parts, or turns back: that is said."""
     refused, count = 0, inputs(1000)
     for seed in range(count):
         curve, distance = rounded_slot(seed)
@@ -211,4 +211,4 @@ def test_between_a_contour_and_its_offset_a_ring_is_filled(inputs):
             continue
         wanted = abs(area_within([curve]) - area_within(made))
         assert abs(sum(patch.area() for patch in patches) - wanted) <= 1e-7 * wanted, seed
-    assert refused <= 0.05 * count
+    assert refused <= 0.01 * count

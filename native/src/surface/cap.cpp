@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -28,6 +29,19 @@ const char* const kNotSeen =
     "the rim is seen whole from no point, and no chords between its corners cut it into parts that are: it crosses itself or another "
     "one, or has too many narrow bends";
 
+/// Parameters so near, by the length of a domain, are one.
+constexpr double kOneParameter = 0x1p-36;
+
+/// The middle of a curve, or the knot there: beside a knot a piece would be left that is nothing but rounding.
+double middle_of(const NurbsCurve& curve) {
+  const Interval domain = curve.domain();
+  const double middle = domain.middle();
+  for (const double knot : curve.knot_vector().knots()) {
+    if (std::abs(knot - middle) <= kOneParameter * domain.length()) return knot;
+  }
+  return middle;
+}
+
 /// Where the curves of sides are cut in a round.
 std::vector<double> cuts_of(const NurbsCurve& curve, int round) {
   const Interval domain = curve.domain();
@@ -36,9 +50,9 @@ std::vector<double> cuts_of(const NurbsCurve& curve, int round) {
     cuts = corners_of({&curve, 1});
     std::erase_if(cuts, [&](double u) { return u == domain.end || (u == domain.start && !curve.periodic()); });
   } else if (curve.periodic()) {
-    cuts = {domain.start, domain.middle()};
+    cuts = {domain.start, middle_of(curve)};
   } else if (!is_segment(curve)) {
-    cuts = {domain.middle()};
+    cuts = {middle_of(curve)};
   }
   return cuts;
 }
@@ -154,7 +168,6 @@ struct PatchCuts {
 
 /// What is to be cut along an end in a round, the last patch first.
 std::vector<PatchCuts> cuts_along(const Capping& capping, const OpenEnd& end, int round) {
-  constexpr double kSame = 0x1p-36;
   std::vector<PatchCuts> found;
   for (const SideOfPatch& side : end) {
     const std::vector<double> cuts = cuts_of(boundary(capping.patches[side.patch], side.border), round);
@@ -170,7 +183,7 @@ std::vector<PatchCuts> cuts_along(const Capping& capping, const OpenEnd& end, in
   }
   for (PatchCuts& cuts : found) {
     std::ranges::sort(cuts.at);
-    const double same = kSame * capping.patches[cuts.patch].knot_vector(cuts.axis).domain().length();
+    const double same = kOneParameter * capping.patches[cuts.patch].knot_vector(cuts.axis).domain().length();
     const auto repeated = std::ranges::unique(cuts.at, [&](double a, double b) { return b - a <= same; });
     cuts.at.erase(repeated.begin(), repeated.end());
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "seen_point.hpp"
@@ -336,35 +335,21 @@ class RegionCutter {
     return (is_first ? first : second) / (first + second);
   }
 
-  /// The chords of a loop, the best first; those as good in order of length.
-  std::vector<RegionChord> best_chords(const Loop& loop) {
-    std::vector<std::pair<double, RegionChord>> found;
-    for (const RegionChord& chord : chords_in(loop)) {
-      found.emplace_back(worth_of(loop, chord), chord);
-      if (found.back().first == 2.0) break;
-    }
-    std::ranges::stable_sort(found, std::greater(), &std::pair<double, RegionChord>::first);
-    std::vector<RegionChord> chords;
-    for (const auto& [worth, chord] : found) chords.push_back(chord);
-    return chords;
-  }
-
-  /// Adds the parts of a loop that is not seen whole. Where the rest that a chord leaves has none, others are tried, in all so many.
-  /// @returns whether that can be done
+  /// Adds the parts of a loop that is not seen whole. @returns whether that can be done
   bool divide(const Loop& loop) {
-    const std::size_t parts = made_.parts.size();
-    const std::size_t sides = made_.sides.size();
-    for (const RegionChord& chord : best_chords(loop)) {
-      if (is_divided(halves_of(loop, chord))) return true;
-      made_.parts.resize(parts);
-      made_.sides.resize(sides);
-      lines_.resize(sides);
-      if (tries_left_-- <= 0) return false;
+    std::vector<RegionChord> chords = chords_in(loop);
+    if (chords.empty()) return false;
+    const RegionChord* best = nullptr;
+    double most = -1.0;
+    for (const RegionChord& chord : chords) {
+      const double worth = worth_of(loop, chord);
+      if (worth > most) {
+        most = worth;
+        best = &chord;
+      }
+      if (worth == 2.0) break;
     }
-    return false;
-  }
-
-  bool is_divided(const Halves& halves) {
+    const Halves halves = halves_of(loop, *best);
     for (const Loop* half : {&halves.first, &halves.second}) {
       const std::optional<glm::dvec2> from = seen_from(*half);
       if (from) {
@@ -376,7 +361,6 @@ class RegionCutter {
     return true;
   }
 
-  int tries_left_ = 100;
   CutRegion made_;
   std::vector<Line> lines_;
 };
