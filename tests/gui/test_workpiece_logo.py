@@ -148,7 +148,7 @@ def wider(view):
     yield from into_net()
     view.press('A')
     yield from redrawn()
-    yield from by_keys.keys(view, "S 1.2 Enter")
+    yield from by_keys.keys(view, "S X 1.5 Enter")
     yield from until(lambda: all(value(name) != was for name, was in before.items()), "all follow")
     view.press('TAB')
     yield from out_of_net()
@@ -170,7 +170,7 @@ def wider(view):
 
 def kept(view):
     solid = lambda: value('solid')
-    yield from by_keys.followed_when_opened(view, OUTPUT / "logo.blend", solid, require_solid, NAMES['outline'], "S 1.2 Enter")
+    yield from by_keys.followed_when_opened(view, OUTPUT / "logo.blend", solid, require_solid, NAMES['outline'], "S X 1.5 Enter")
     picture("opened")
 
 
