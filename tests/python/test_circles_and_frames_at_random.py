@@ -31,6 +31,39 @@ def test_the_circle_in_a_triangle(inputs):
         np.testing.assert_allclose(parameters, places, rtol=0, atol=1e-8)
 
 
+def found_circle(pieces, near, turn, move):
+    try:
+        curves = [sc.BezierCurve(points @ turn.T + move, weights=weights) for points, weights in pieces]
+        _, _, radius, parameters = build.touching_circle(*curves, near)
+    except sc.InvalidShape:
+        return None
+    return radius, parameters
+
+
+def test_circles_do_not_depend_on_a_motion(inputs):
+    """Curves of degrees 1 to 4 anywhere: both have the circle, or neither."""
+    rng = np.random.default_rng([93, 0])
+    count = 0
+    for _ in range(inputs(4000)):
+        pieces = []
+        for _ in range(3):
+            degree = int(rng.integers(1, 5))
+            weights = 10.0 ** rng.uniform(-0.5, 0.5, degree + 1)
+            pieces.append((rng.standard_normal(2) + 0.8 * rng.standard_normal((degree + 1, 2)), weights))
+        near = rng.uniform(0.1, 0.9, 3)
+        angle = rng.uniform(0, 2 * np.pi)
+        turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+        here = found_circle(pieces, near, np.eye(2), np.zeros(2))
+        there = found_circle(pieces, near, turn, rng.uniform(-5, 5, 2))
+        assert (here is None) == (there is None)
+        if here is None:
+            continue
+        count += 1
+        assert there[0] == pytest.approx(here[0], rel=1e-7)
+        np.testing.assert_allclose(there[1], here[1], rtol=0, atol=1e-6)
+    assert count > inputs(200)
+
+
 def test_places_are_parameters(inputs):
     lines = [sc.BezierCurve([[0, 0], [4, 0]]), sc.BezierCurve([[4, 0], [0, 3]]), sc.BezierCurve([[0, 3], [0, 0]])]
     for wrong in ([2, 0.5, 0.5], [np.nan, 0.5, 0.5], [[0, 0], [1, 1], [0, 1]], [0.2, 0.3]):

@@ -121,7 +121,7 @@ class ThreeTouches {
     if (!(std::abs(volume) > kParallel)) return false;
     const glm::dvec3 by = glm::inverse(rows) * right;
     // No step goes farther than the circle is large, or turns it inside out.
-    const double most = std::max({std::abs(by.x), std::abs(by.y), std::abs(by.z)});
+    const double most = std::max(glm::length(glm::dvec2(by)), std::abs(by.z));
     const double share = most > 0.5 * radius_ ? 0.5 * radius_ / most : 1.0;
     for (std::size_t i = 0; i < 3; ++i) {
       const double stretch = 1.0 - sides_[i] * radius_ * places_[i].curvature;
