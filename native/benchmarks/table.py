@@ -189,7 +189,7 @@ WHAT = {
 
 
 def brief(rows, machine):
-    """The tables of the README."""
+    """The tables of docs/benchmarks.md."""
     where = f"{machine['name']}, {machine['versions']}, one thread; nanoseconds an item"
     of_surfaces = [row for row in rows if row.workload in TOLERANCES]
     others = [row for row in rows if row.workload not in TOLERANCES]
