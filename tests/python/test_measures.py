@@ -203,6 +203,16 @@ def test_an_octant_knows_its_pole():
     assert found.gauss == pytest.approx(1, abs=1e-12) and np.abs(found.mean) == pytest.approx(1, abs=1e-12)
 
 
+@pytest.mark.parametrize('axis', range(3))
+def test_small_heights_beside_large_ones_bend_a_patch(axis):
+    """Heights of 1e-12 make the curvature where the patch begins; where it ends it is 6e4 high."""
+    heights, step = [0.0, -2.0**-40, 2.0**-42, 6e4], 2.0**-7
+    points = [[(step * i, j, z) for j in range(2)] for i, z in enumerate(heights)]
+    patch = sc.BezierPatch(np.roll(points, axis, axis=2))
+    bend = 6 * (heights[2] - 2 * heights[1] + heights[0]) / (3 * step) ** 2
+    assert np.max(np.abs(patch.curvatures(0.0, 0.5).principal)) == pytest.approx(bend, rel=1e-12)
+
+
 def test_the_tip_of_a_cone_has_no_curvature():
     cone = build.cone((0, 0, 0), (0, 0, 1), 1, 1)
     assert np.isnan(cone.curvatures(0.5, 1.0).gauss) and np.isnan(cone.curvatures(0.5, 1.0).directions).all()

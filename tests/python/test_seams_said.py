@@ -161,7 +161,7 @@ def test_a_spike_beside_a_wider_one_is_found():
         assert not require_said(*seam, size, 512)[1]
 
 
-@pytest.mark.parametrize('seed', [676, 696, 783, 920])
+@pytest.mark.parametrize('seed', [67, 676, 696, 783, 920])
 def test_small_parts_of_large_patches_have_curvatures(seed):
     """Points that run far make tangents at the side small beside them, and weights that differ much do so beside each other."""
     rng, kind, pair, size = drawn(seed)

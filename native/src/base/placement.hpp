@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
@@ -34,6 +35,21 @@ inline Placement placement_of(std::span<const glm::dvec4> points) {
     high = glm::max(high, glm::dvec3(p));
   }
   placement.origin = 0.5 * low + 0.5 * high;
+  return placement;
+}
+
+/// The same, but along axes where the middle is no farther from 0 than `far` times what reaches from there the points stay. From
+/// far = 2 on no digit of a point is lost: where points are moved they differ from the middle by less than half of it, and such
+/// differences are exact (Sterbenz, 1974).
+inline Placement exact_placement(std::span<const glm::dvec4> points, double far = 2.0) {
+  Placement placement = placement_of(points);
+  for (int axis = 0; axis < 3; ++axis) {
+    double reach = 0.0;
+    for (const glm::dvec4& p : points) {
+      if (p.w != 0.0) reach = std::max(reach, std::abs(p[axis] - placement.origin[axis]));
+    }
+    if (std::abs(placement.origin[axis]) <= far * reach) placement.origin[axis] = 0.0;
+  }
   return placement;
 }
 

@@ -19,19 +19,8 @@ namespace {
 
 using Ranges = std::array<Interval, 3>;
 
-/// That of placement_of(), but for axes along which points are not far from 0: there they stay, to the digit.
-Placement box_placement(std::span<const glm::dvec4> points) {
-  constexpr double kFar = 0x1p10;
-  Placement placement = placement_of(points);
-  for (int axis = 0; axis < 3; ++axis) {
-    double reach = 0.0;
-    for (const glm::dvec4& p : points) {
-      if (p.w != 0.0) reach = std::max(reach, std::abs(p[axis] - placement.origin[axis]));
-    }
-    if (std::abs(placement.origin[axis]) <= kFar * reach) placement.origin[axis] = 0.0;
-  }
-  return placement;
-}
+/// Boxes of points that are not far from 0 are told to the digit.
+constexpr double kFar = 0x1p10;
 
 std::vector<glm::dvec2> coordinates(std::span<const glm::dvec4> points, int axis) {
   std::vector<glm::dvec2> found;
@@ -56,7 +45,7 @@ Interval turned(const Interval& range) { return {-range.end, -range.start}; }
 class Pieces {
  public:
   Pieces(const NurbsPatch& patch, double tolerance)
-      : placement_(box_placement(patch.points())), patch_(placed(patch, placement_)) {
+      : placement_(exact_placement(patch.points(), kFar)), patch_(placed(patch, placement_)) {
     slack_ = std::max(tolerance * std::scalbn(largest_coordinate(patch.points()), -placement_.exponent), 0x1p-49);
   }
 
@@ -105,7 +94,7 @@ class Pieces {
 
 Box bounding_box(const NurbsCurve& curve) {
   require_finite_points(curve, curve.domain());
-  const Placement placement = box_placement(curve.points());
+  const Placement placement = exact_placement(curve.points(), kFar);
   const NurbsCurve there = placed(curve, placement);
   const auto spans = static_cast<int>(curve.knot_vector().spans().size());
   Ranges ranges{kNothing, kNothing, kNothing};

@@ -48,7 +48,7 @@ struct TangentFrame {
 class Surface {
  public:
   explicit Surface(const NurbsPatch& patch)
-      : placement_(placement_of(patch.points())), scales_(parameter_scales(patch)),
+      : placement_(exact_placement(patch.points())), scales_(parameter_scales(patch)),
         patch_(divided(placed(patch, placement_), scales_)), size_(extent(patch_.points())),
         lengths_{patch_.knot_vector(Axis::u).domain().length(), patch_.knot_vector(Axis::v).domain().length()} {}
 

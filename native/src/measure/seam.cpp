@@ -149,7 +149,7 @@ struct Seam {
 Seam seam_between(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b, std::optional<bool> reversed) {
   std::vector<glm::dvec4> all(a.points().begin(), a.points().end());
   all.insert(all.end(), b.points().begin(), b.points().end());
-  const Placement placement = placement_of(all);
+  const Placement placement = exact_placement(all);
   const auto [scales_a, scales_b] = scales_along(a, side_a, b, side_b);
   const NurbsPatch first = divided(placed(a, placement), scales_a);
   const NurbsPatch second = begun_beside(first, side_a, divided(placed(b, placement), scales_b), side_b);
