@@ -11,7 +11,7 @@ class Layout:
     """Stands for Blender's UILayout."""
 
     def __init__(self, whole=None):
-        for name in ('texts', 'props', 'operators', 'disabled'):        # those of the whole, in its parts too
+        for name in ('texts', 'props', 'operators', 'disabled', 'menus'):        # those of the whole, in its parts too
             object.__setattr__(self, name, getattr(whole, name) if whole else [])
         object.__setattr__(self, 'enabled', whole.enabled if whole else True)
 
@@ -42,8 +42,8 @@ class Layout:
     def popover(self, *_, **__):
         """Nothing to say."""
 
-    def menu(self, *_, **__):
-        """Nothing to say."""
+    def menu(self, name, **_):
+        self.menus.append(name)
 
     def context_pointer_set(self, *_):
         """Nothing to say."""
