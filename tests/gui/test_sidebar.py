@@ -53,6 +53,17 @@ def pictures(view):
     select(line)
     yield from seen("revolve", add('add_revolve'))
     yield from seen("teapot", add('add_teapot'))
+    rings = []
+    for z in (0.0, 1.0, 2.0, 3.0):
+        rings.append(add('add_circle'))
+        rings[-1].location.z = z
+    select(*rings)
+    loft = add('add_loft')
+    yield from seen("loft", loft)
+    bpy.context.scene.splinewright_sights.stripes = True
+    yield from unfolded(view, "Analysis")
+    save_picture(OUTPUT / "sidebar-analysis.png")
+    bpy.context.scene.splinewright_sights.stripes = False
     select(curve)
     view.press('TAB')
     yield from into_net()
