@@ -61,7 +61,8 @@ def _draw_settings(column, chosen, names):
     row.separator(factor=2.0)
     below = row.column(align=True)
     for name in names:
-        below.prop(chosen, name)
+        is_told_by_value = chosen.bl_rna.properties[name].type == 'ENUM'
+        below.prop(chosen, name, **({'text': ""} if is_told_by_value else {}))
     if names:
         column.separator()
 

@@ -72,9 +72,10 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
         more = menus_for(context.selected_objects)
         _draw_groups(layout, made)
         if more:
-            _draw_menus(layout, "More", more)
+            _draw_menus(layout.column(align=True), more)
         elif not made:
-            _draw_menus(layout, "Add", (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
+            layout.label(text="Add")
+            _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
             layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
 
 
@@ -87,10 +88,7 @@ def _draw_groups(layout, made):
             column.operator(f"splinewright.{name}", text=offered.text_of(name))
 
 
-def _draw_menus(layout, label, linked):
-    row = layout.split(factor=0.3)
-    row.label(text=label)
-    column = row.column(align=True)
+def _draw_menus(column, linked):
     for text, menu in linked:
         menus.draw_link(column, menu, text=text)
 
