@@ -36,6 +36,9 @@ class Layout:
         self.texts.append(text or getattr(getattr(bpy.ops, module), function).get_rna_type().name)
         return SimpleNamespace()
 
+    def operator_menu_enum(self, name, enum, text="", **_):
+        self.operator(name, text)
+
     def separator(self, **_):
         """Nothing to say."""
 

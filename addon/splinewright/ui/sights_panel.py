@@ -96,7 +96,7 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
         if chosen.deviation:
             column.prop(chosen, _BESIDE, text="To")
         _draw_problem(column, context, _WIDTH)
-        column.label(text="Settings: Sidebar > NURBS > Analysis")
+        column.label(text="Settings: in the sidebar")
 
 
 def _concerned(context):

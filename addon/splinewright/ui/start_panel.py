@@ -3,6 +3,7 @@
 import bpy
 
 from . import editing, kinds, menu_table, menus, offered, texts
+from .operators import add_sample
 
 #: Labels and operators by what is selected.
 _NATIVE = ("Exact", ('make_exact', 'follow_object'))
@@ -77,6 +78,8 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
             layout.label(text="Add")
             _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
             layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
+            add_sample.draw(layout)
+            layout.operator("splinewright.manual", text="First Steps", icon='HELP').page = "five-minutes.html"
 
 
 def _draw_groups(layout, made):
