@@ -291,6 +291,7 @@ def update():
     """
     bpy.context.view_layer.update()
     follow.refresh_all(set(), _depsgraph())
+    bpy.context.view_layer.update()
     stopped = follow.stopped()
     return {ob: problem(ob) for ob in bpy.data.objects if ob.data in stopped}
 

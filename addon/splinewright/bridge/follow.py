@@ -227,6 +227,8 @@ def refresh_all(changed, depsgraph):
     turn, state.doubtful = _Turn(depsgraph), set()
     for data in _in_order():
         _update(data, turn)
+        if depsgraph.mode == 'VIEWPORT' and recipes.watch(data):
+            state.doubtful.add(key(data))           # its driver was taken away: now Blender evaluates what it needs
 
 
 def problem(data):

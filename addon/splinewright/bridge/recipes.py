@@ -285,10 +285,10 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
 
 
 def watch(data):
-    """Let Blender evaluate what a shape is made from with it."""
+    """Let Blender evaluate what a shape is made from with it. Whether it did not do so before."""
     if _WATCHED not in data[KEY].keys():
         data[KEY][_WATCHED] = 0.0
-    watching.start(data, WATCHED, pointers(data), frames(data))
+    return watching.start(data, WATCHED, pointers(data), frames(data))
 
 
 def write_achieved(data, result):
