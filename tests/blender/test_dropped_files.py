@@ -19,8 +19,8 @@ def folder(tmp_path):
     (tmp_path / "bad.bpt").write_text("teapot")
     (tmp_path / "worse.bpt").write_text("0")
     (tmp_path / "curves.json").write_text(sc.dumps([CURVE, PATCH, CURVE]))
-    (tmp_path / "patch.json").write_text(PATCH.dumps())
-    (tmp_path / "bad.json").write_text("{}")
+    (tmp_path / "patch.spw.json").write_text(PATCH.dumps())
+    (tmp_path / "scene.json").write_text('{"asset": {"version": "2.0"}}')
     return tmp_path
 
 
@@ -46,6 +46,20 @@ def test_each_file_becomes_objects_in_one_step(folder, call, capfd):
 def test_a_dropped_file_asks_nothing(folder):
     assert come_in(bpy.ops.splinewright.import_json, folder, "curves.json") == {'FINISHED'}
     assert sorted(ob.type for ob in bpy.data.objects) == ['CURVE', 'MESH']
+
+
+def test_a_dropped_file_of_others_is_refused_and_nothing_is_lost(folder):
+    bpy.ops.splinewright.add_nurbs_curve()
+    chosen, before = bpy.context.object, scene_state()
+    with pytest.raises(RuntimeError, match="scene.json: it holds no curves or patches of Splinewright"):
+        come_in(bpy.ops.splinewright.import_json, folder, "scene.json")
+    assert scene_state() == before and bpy.context.object == chosen and chosen.select_get()
+
+
+def test_a_file_of_others_among_ours_is_named_and_ours_come_in(folder, capfd):
+    assert come_in(bpy.ops.splinewright.import_json, folder, "scene.json", "patch.spw.json") == {'FINISHED'}
+    assert "Warning: Imported patch; scene.json: it holds no curves" in capfd.readouterr().out
+    assert [ob.name for ob in bpy.data.objects] == ["patch"]
 
 
 def test_a_bad_one_among_several_is_told_of_and_the_others_come_in(folder, capfd):

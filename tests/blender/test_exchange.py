@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from support import scene_state, splinecore as sc
+from support import part, scene_state, splinecore as sc
 
 SADDLE = np.array([[(0, 0, 0), (0, 1, 1)], [(1, 0, 1), (1, 1, 0)]], float)
 NEXT = np.array([[(1, 0, 1), (1, 1, 0)], [(2, 0, 0), (2, 1, 1)]], float)
@@ -103,6 +103,7 @@ BAD_JSON = {
     'empty': ("", "damaged"),
     'truncated': (sc.BezierCurve([(0, 0), (1, 1)]).dumps()[:-9], "damaged"),
     'another format': ('{"a": 1}', "not a splinecore file"),
+    'no text': ("\x00", "damaged"),
     'newer': (sc.BezierCurve([(0, 0), (1, 1)]).dumps().replace('"version":1', '"version":99'), "newer"),
     'one point': ('{"format":"splinecore","version":1,"kind":"bezier_curve","points":[[0,0,0,1]]}', "needs 2"),
     'unknown kind': ('{"format":"splinecore","version":1,"kind":"cube"}', "cube"),
@@ -116,7 +117,48 @@ def test_a_bad_bpt_file_is_reported_and_the_scene_is_unchanged(text, said, tmp_p
 
 @pytest.mark.parametrize('text, said', BAD_JSON.values(), ids=BAD_JSON)
 def test_a_bad_json_file_is_reported_and_the_scene_is_unchanged(text, said, tmp_path):
-    refused(bpy.ops.splinewright.import_json, tmp_path / "bad.json", text, said)
+    refused(bpy.ops.splinewright.import_json, tmp_path / "bad.spw.json", text, said)
+
+
+@pytest.mark.parametrize('text', ('{"a": 1}', '[]', '', '{"asset": {"generator": "splinecore"}}', '{"format": "gltf"}', '"format"',
+                                  '{"format": "splinecores"}', '\xff\xfe' * 99, ' ' * (1 << 20) + '{"format": "splinecore"}'))
+def test_json_of_others_is_refused_by_what_it_holds(text, tmp_path):
+    refused(bpy.ops.splinewright.import_json, tmp_path / "scene.json", text, "scene.json: it holds no curves or patches")
+
+
+@pytest.mark.parametrize('name', ("a.json", "a.spw.json", "A.JSON", "a.SPW.JSON", "a"))
+def test_json_of_ours_comes_in_under_any_name(name, tmp_path):
+    (tmp_path / name).write_text('\ufeff {"version": 1, \n"format" : "splinecore", ' + sc.BezierCurve([(0, 0), (1, 1)]).dumps().partition('"version":1,')[2])
+    assert bpy.ops.splinewright.import_json(filepath=str(tmp_path / name)) == {'FINISHED'}
+    assert bpy.context.object.name in ("a", "A")
+
+
+@pytest.mark.parametrize('typed, wanted', (
+    ("a", "a.spw.json"), ("a.spw", "a.spw.json"), ("a.spw.json", "a.spw.json"), ("a.json", "a.json"), ("A.JSON", "A.JSON"),
+    ("part 1.2", "part 1.2.spw.json"), ("a.bpt", "a.bpt.spw.json"), ("", "")))
+def test_names_of_exported_files_get_our_ending_once(typed, wanted):
+    class Browser:
+        filepath, filename_ext = f"/folder/{typed}", ".spw.json"
+    check = part('ui.operators.exchange').SPLINEWRIGHT_OT_export_json.check
+    assert check(Browser, None) is (typed != wanted) and not check(Browser, None)
+    assert Browser.filepath == f"/folder/{wanted}"
+
+
+@pytest.mark.parametrize('kind', ('json', 'bpt'))
+def test_export_warns_of_what_was_changed_by_hand_and_names_it(kind, tmp_path, capfd):
+    bpy.ops.splinewright.add_bezier_patch()
+    ob, path = bpy.context.object, str(tmp_path / f"a.{kind}")
+    export = getattr(bpy.ops.splinewright, f"export_{kind}")
+    export(filepath=path)
+    assert "Warning" not in capfd.readouterr().out
+    ob.name = "Bent"
+    ob.data.vertices[0].co.z += 1.0
+    value = ob.data.splinewright.value
+    assert export(filepath=path) == {'FINISHED'}
+    assert f"Warning: Exported a.{kind}; Bent: changes made by hand are not in the file" in capfd.readouterr().out
+    getattr(bpy.ops.splinewright, f"import_{kind}")(filepath=path)
+    again = bpy.context.object.data.splinewright.value
+    assert np.array_equal(again.points if kind == 'json' else again[0].points, value.points)
 
 
 def refused(operator, path, text, said):

@@ -167,15 +167,15 @@ def samples():
     project = Path(__file__).resolve().parents[2]
     for page in (*sorted((project / "addon/manual").glob("*.md")), project / "README.md"):
         for code in re.findall(r"^ *```python\n(.*?)^ *```", page.read_text(), re.S | re.M):
-            if re.search(r"\bC\.object|\bbpy\b", code):
+            if re.search(r"\bC\.object|\bbpy\b|\bapi\b", code):
                 yield pytest.param(textwrap.dedent(code), id=page.stem)
 
 
 @pytest.mark.parametrize('code', samples())
 def test_samples_for_blender_run(code):
     op(bpy.ops.splinewright.add_nurbs_curve)
-    exec(code, {'C': bpy.context, 'bpy': bpy})
+    exec(code, {'C': bpy.context, 'bpy': bpy, 'api': part('api')})
 
 
 def test_there_are_samples_for_blender():
-    assert len(list(samples())) >= 2
+    assert len(list(samples())) >= 7

@@ -141,6 +141,13 @@ def test_a_room_of_the_addon_imports_only_rooms_below_it(room):
                 assert target in (None, room) or target in ADDON_ARROWS[room], f"{path} imports {target}"
 
 
+def test_the_interface_for_scripts_calls_what_is_below_the_user_interface():
+    path = ADDON / "api.py"
+    assert {room_of_import(path, module, level) for module, level in imports(path) if level} <= {None, 'core', 'bridge'}
+    for _, other in addon_files():
+        assert not any(module.split('.')[-1] == 'api' for module, level in imports(other) if level), f"{other} imports it"
+
+
 def test_core_knows_no_blender():
     for room, path in addon_files():
         if room == 'core':

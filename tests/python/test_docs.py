@@ -16,7 +16,7 @@ def samples():
     """(page, number, code) of those that need no Blender."""
     for page in PAGES:
         for number, code in enumerate(re.findall(r"^```python\n(.*?)^```", page.read_text(), re.S | re.M), 1):
-            if not re.search(r"\bC\.object|\bbpy\b", code):
+            if not re.search(r"\bC\.object|\bbpy\b|\bapi\b", code):
                 yield pytest.param(code, id=f"{page.stem}-{number}")
 
 

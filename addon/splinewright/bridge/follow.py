@@ -227,6 +227,8 @@ def refresh_all(changed, depsgraph):
     turn, state.doubtful = _Turn(depsgraph), set()
     for data in _in_order():
         _update(data, turn)
+        if depsgraph.mode == 'VIEWPORT' and recipes.watch(data):
+            state.doubtful.add(key(data))           # its driver was taken away: now Blender evaluates what it needs
 
 
 def problem(data):
@@ -287,8 +289,8 @@ class _Turn:
         return _in_use()
 
     def shows(self, ob):
-        """Whether the depsgraph evaluates an object: it may be of another scene, or left out of the view layer."""
-        return ob.evaluated_get(self.depsgraph).is_evaluated
+        """As shape.is_shown()."""
+        return shape.is_shown(ob, self.depsgraph)
 
 
 def _in_use():
@@ -357,6 +359,11 @@ def _same(a, b):
     return all(p.kind == q.kind and p.degree == q.degree and p.periodic == q.periodic
                and np.array_equal(p.indices, q.indices) and all(map(np.array_equal, p.knots, q.knots))
                for p, q in zip(a.pieces, b.pieces))
+
+
+def followers_of(ob):
+    """The data-blocks that are made from an object, or go where it is."""
+    return [data for blocks in (bpy.data.meshes, bpy.data.curves) for data in blocks if recipes.is_from(data, {ob})]
 
 
 def links():

@@ -166,31 +166,13 @@ def _values(group, recipe):
     stored = group.get('parameters')
     if not store.is_group(stored):
         raise ValueError("its parameters are no group")
-    return {parameter.name: _value(parameter, stored[parameter.name]) if parameter.name in stored.keys()
+    return {parameter.name: parameter.checked(stored[parameter.name]) if parameter.name in stored.keys()
             else _value_before(parameter) for parameter in recipe.parameters}
 
 
 def _value_before(parameter):
     """Of a file that is older than the parameter."""
     return parameter.default if parameter.before is None else parameter.before
-
-
-def _value(parameter, stored):
-    wanted = type(parameter.default)
-    if wanted is str:
-        if type(stored) is not str or parameter.choices and stored not in (choice[0] for choice in parameter.choices):
-            raise ValueError(f"{parameter.label} is none of its choices")
-        return stored
-    value = _number(stored)
-    if wanted is not bool and not _is_within(value, parameter.least, parameter.most):
-        raise ValueError(f"{parameter.label} is {value:g}, outside its limits")
-    return wanted(value)
-
-
-def _is_within(value, least, most):
-    """Blender's properties clip in single precision."""
-    slack = 1e-6 * abs(value)
-    return least - slack <= value <= most + slack
 
 
 def _number(stored):
@@ -310,10 +292,10 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
 
 
 def watch(data):
-    """Let Blender evaluate what a shape is made from with it."""
+    """Let Blender evaluate what a shape is made from with it. Whether it did not do so before."""
     if _WATCHED not in data[KEY].keys():
         data[KEY][_WATCHED] = 0.0
-    watching.start(data, WATCHED, pointers(data), frames(data))
+    return watching.start(data, WATCHED, pointers(data), frames(data))
 
 
 def write_achieved(data, result):

@@ -10,6 +10,9 @@ from .file_state import key, state
 
 #: The ways to choose faces.
 AUTOMATIC, COUNT, TOLERANCE, ANGLE, BOTH = 'AUTOMATIC', 'COUNT', 'TOLERANCE', 'ANGLE', 'BOTH'
+#: Of what is drawn over a shape: an override of a linked one has its own. What the geometry depends on it has from its library, as
+#: Blender reads that from there.
+_OF_OVERRIDES = {'LIBRARY_OVERRIDABLE'}
 #: Settings of which the geometry depends.
 _SHOWING = ('mode', 'tolerance', 'angle', 'resolution_u', 'resolution_v', 'sharp_angle', 'reach')
 
@@ -167,16 +170,16 @@ class Settings:
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
     show_seams: BoolProperty(
         name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
-        default=False, options=set())
+        default=False, options=set(), override=_OF_OVERRIDES)
     show_numbers: BoolProperty(
         name="Show Numbers", description="Show the numbers of the pieces in the 3D view, which operators ask for",
-        default=False, options=set())
+        default=False, options=set(), override=_OF_OVERRIDES)
     measure_u: FloatProperty(
         name="Place U", description="Where the shape is measured, as a part of the domain along u", default=0.5, min=0.0,
-        max=1.0, subtype='FACTOR', precision=4, options=set())
+        max=1.0, subtype='FACTOR', precision=4, options=set(), override=_OF_OVERRIDES)
     measure_v: FloatProperty(
         name="Place V", description="Where the shape is measured, as a part of the domain along v", default=0.5, min=0.0,
-        max=1.0, subtype='FACTOR', precision=4, options=set())
+        max=1.0, subtype='FACTOR', precision=4, options=set(), override=_OF_OVERRIDES)
     piece: IntProperty(
         name="Piece in Hand", description="The piece, counted from 1, with which operators begin that ask for one; "
         "0 for none", default=0, min=0, options=set())

@@ -32,6 +32,11 @@ def is_shape(data):
     return type(data) in (bpy.types.Mesh, bpy.types.Curve) and store.has_definition(data)
 
 
+def is_shown(ob, depsgraph):
+    """Whether a depsgraph evaluates an object: it may be hidden, of another scene, or left out of the view layer."""
+    return ob.evaluated_get(depsgraph).is_evaluated
+
+
 #: Steps that set_definition() and rewrite() report to `progress`.
 STEPS = 2
 

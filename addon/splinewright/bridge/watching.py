@@ -8,12 +8,12 @@ depend on all of that, brings the rest; of objects whose place alone counts one 
 
 def start(data, path, sources, frames=()):
     """Drive the property of a path with the objects, and with the places of frames; they may have changed since the last
-    time."""
+    time. Whether anything changed."""
     driver = _driver(data, path)
     if driver is None:
         driver = data.driver_add(path)
     elif [variable.targets[0].id for variable in driver.driver.variables] == [*sources, *frames]:
-        return
+        return False
     variables = driver.driver.variables
     for variable in list(variables):
         variables.remove(variable)
@@ -25,6 +25,7 @@ def start(data, path, sources, frames=()):
         variable.type = 'TRANSFORMS'
         variable.targets[0].id = frame
     driver.driver.expression = "0"
+    return True
 
 
 def stop(data, path):

@@ -87,12 +87,12 @@ def _draw_faces(self, context):
 
 def _draw_import(self, context):
     self.layout.operator("splinewright.import_bpt", text="Bezier Patches (.bpt)")
-    self.layout.operator("splinewright.import_json", text="Splinewright Exact Curves and Patches (.json)")
+    self.layout.operator("splinewright.import_json", text="Splinewright Exact Curves and Patches (.spw.json)")
 
 
 def _draw_export(self, context):
     self.layout.operator("splinewright.export_bpt", text="Bezier Patches (.bpt)")
-    self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.json)")
+    self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.spw.json)")
 
 
 def _draw_apply(self, context):

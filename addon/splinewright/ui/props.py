@@ -65,7 +65,7 @@ CLASSES = (SplinewrightShape,)
 
 def register():
     for owner in OWNERS:
-        owner.splinewright = PointerProperty(type=SplinewrightShape)
+        owner.splinewright = PointerProperty(type=SplinewrightShape, override={'LIBRARY_OVERRIDABLE'})
 
 
 def unregister():

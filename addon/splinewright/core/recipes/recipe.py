@@ -1,11 +1,13 @@
 """What a recipe is. Each is one entry of a table: operators, panels and storage are made from it."""
 
 from dataclasses import dataclass
+from numbers import Real
 from typing import Callable, NamedTuple
 
 import numpy as np
 
 from .. import definition as definitions
+from ..failures import Refusal, WrongKind
 from ..library import sc
 
 
@@ -25,6 +27,33 @@ class Parameter:
     follows: str = ""                   # the parameter whose value it has where that is given and its own is not
     of_scene: bool = False              # it is the scene's tolerance where none is given
     where: tuple = ()                   # (the name of another parameter, its values) with which alone it counts
+
+    def checked(self, value):
+        """The value as a recipe takes it. Raises WrongKind for one of another kind, Refusal for one outside its limits."""
+        wanted = type(self.default)
+        if wanted is str:
+            return self._checked_text(value)
+        if not isinstance(value, (Real, np.bool_)):
+            raise WrongKind(f"{self.label} is {value!r}: it must be a number")
+        if not abs(value) < 1e300:
+            raise Refusal(f"{self.label} is not a finite number")
+        if wanted is not float and value != int(value):
+            raise Refusal(f"{self.label} is {value:g}: it must be a whole number")
+        if wanted is not bool and not self._is_within(value):
+            raise Refusal(f"{self.label} is {value:g}: it must be from {self.least:g} to {self.most:g}")
+        return wanted(value)
+
+    def _checked_text(self, value):
+        if type(value) is not str:
+            raise WrongKind(f"{self.label} is {value!r}: it must be a text")
+        names = [choice[0] for choice in self.choices]
+        if names and value not in names:
+            raise Refusal(f"{self.label} is {value!r}: it must be one of {', '.join(names)}")
+        return value
+
+    def _is_within(self, value):
+        """Blender's properties clip in single precision."""
+        return self.least - 1e-6 * abs(self.least) <= value <= self.most + 1e-6 * abs(self.most)
 
 
 class Result(NamedTuple):
@@ -96,6 +125,23 @@ class Recipe:
     @property
     def defaults(self):
         return {parameter.name: parameter.default for parameter in self.parameters}
+
+    def checked(self, given):
+        """Values of parameters by name as the recipe takes them. Raises WrongKind or Refusal."""
+        known = {parameter.name: parameter for parameter in self.parameters}
+        for name in given:
+            if name not in known:
+                has = f"it has {', '.join(known)}" if known else "it has none"
+                raise WrongKind(f"{self.label} has no setting {name!r}: {has}")
+        return {name: known[name].checked(value) for name, value in given.items()}
+
+    def completed(self, given, tolerance=None, suggested=()):
+        """Values of all parameters: those given by name, or of what they follow, or the tolerance, or suggested ones, or their
+        defaults. tolerance: that of the scene. Raises as checked()."""
+        given = self.checked(given)
+        of_scene = {parameter.name: tolerance for parameter in self.parameters if parameter.of_scene and tolerance is not None}
+        followed = {parameter.name: given[parameter.follows] for parameter in self.parameters if parameter.follows in given}
+        return {**self.defaults, **dict(suggested), **of_scene, **followed, **given}
 
     def counting(self, properties, name_of=lambda parameter: parameter.name):
         """The parameters that count with the values that properties have. name_of: (parameter) -> what they call it."""

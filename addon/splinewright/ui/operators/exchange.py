@@ -1,5 +1,6 @@
 """Import and export: BPT patch files and exact JSON."""
 
+import re
 from pathlib import Path
 
 import bpy
@@ -41,6 +42,12 @@ def _text_of(path):
         raise Refusal("it is no text file") from error
 
 
+def _start_of(path):
+    """The first part of a file, as far as it is text. Raises OSError where it cannot be read."""
+    with path.open('rb') as file:
+        return file.read(_LOOKED_AT).decode('utf-8-sig', 'replace')
+
+
 class _Import(ImportHelper):
     """Adds the shapes of files where their coordinates say, at the origin of the world."""
 
@@ -59,6 +66,13 @@ class _Import(ImportHelper):
     def values(self, text):
         """The value of each object that the text of a file makes."""
         raise NotImplementedError
+
+    def look_inside(self, path):
+        """Raises Refusal for a file of others whose name ends as ours do."""
+
+    def name_of(self, path):
+        """What objects of a file are called."""
+        return path.stem
 
     def invoke(self, context, event):
         """Files that were dropped need no file browser."""
@@ -89,7 +103,8 @@ class _Import(ImportHelper):
 
     def _read(self, path, progress):
         """Pairs of a name and a new data-block for what a file holds. progress is called with the part that is done."""
-        name, made = _printable(path.stem), []
+        name, made = _printable(self.name_of(path)), []
+        self.look_inside(path)
         try:
             values = self.values(_text_of(path))
             for value in values:
@@ -151,7 +166,9 @@ class _Export(ExportHelper):
             return reports.cancelled(self, reports.named(name, text) if name else text)
         count = len(chosen) - len(left_out)
         what = f"Exported {count} objects to" if count > 1 else "Exported"
-        return reports.finished(self, reports.Said(f"{what} {_printable(path.name)}", warnings=reports.by_name(left_out)))
+        changed = {ob.name: _CHANGED for ob in chosen if ob.name not in left_out and shape.is_touched(ob.data)}
+        warnings = reports.by_name({**left_out, **changed})
+        return reports.finished(self, reports.Said(f"{what} {_printable(path.name)}", warnings=warnings))
 
     def _value(self, ob):
         if not self.transform:
@@ -167,6 +184,8 @@ def _exported(context):
     return sorted(chosen, key=lambda ob: ob.name)
 
 
+#: Of a shape whose mesh or curve is not what its definition shows.
+_CHANGED = "changes made by hand are not in the file: it holds the definition, which Restore shows"
 _NO_PATCH = "BPT holds patches, this is a curve"
 
 
@@ -180,8 +199,13 @@ class _Bpt:
     flip: BoolProperty(name="Flip", description="Exchange u and v of every patch, which turns the normals over")
 
 
+#: What is looked at of a file to see whose it is, in bytes, and what files of ours have there.
+_LOOKED_AT = 1 << 20
+_OURS = re.compile(r'"format"\s*:\s*"splinecore"')
+
+
 class _Json:
-    filename_ext = ".json"
+    filename_ext = ".spw.json"
     filter_glob: StringProperty(default="*.json", options={'HIDDEN'})
 
 
@@ -222,6 +246,14 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
     bl_label = "Import Exact JSON"
     bl_description = "Import curves and patches with every digit; all curves of a list become one object"
 
+    def look_inside(self, path):
+        """Of a dropped file Blender compares the last ending alone, which any JSON has."""
+        if not path.name.lower().endswith(self.filename_ext) and not _OURS.search(_start_of(path)):
+            raise Refusal("it holds no curves or patches of Splinewright")
+
+    def name_of(self, path):
+        return path.stem[:-4] if path.stem.lower().endswith(".spw") else path.stem
+
     def values(self, text):
         value = sc.loads(text)
         if not isinstance(value, list):
@@ -238,6 +270,14 @@ class SPLINEWRIGHT_OT_export_json(_Json, _Export, bpy.types.Operator):
     bl_label = "Export Exact JSON"
     bl_description = "Export the definitions of all selected shapes with every digit"
     bl_options = {'REGISTER', 'PRESET'}
+
+    def check(self, context):
+        """Whether the name in the file browser got an ending. Blender's helper would add one of two parts again and again."""
+        path = Path(self.filepath)
+        if not path.name or self.filepath.endswith(("/", "\\")) or path.suffix.lower() == ".json":
+            return False
+        self.filepath += ".json" if path.suffix.lower() == ".spw" else self.filename_ext
+        return True
 
     def text(self, values):
         """One shape as it is, several as a list of their curves, patches and sets of patches."""
@@ -266,7 +306,7 @@ if versions.drops_files:
 
     class SPLINEWRIGHT_FH_json(_Dropped, bpy.types.FileHandler):
         bl_idname = "SPLINEWRIGHT_FH_json"
-        bl_label = "Splinewright Exact Curves and Patches"
+        bl_label = "Splinewright Exact Curves and Patches (.spw.json)"
         bl_import_operator = "splinewright.import_json"
         bl_file_extensions = ".json"
 
