@@ -20,7 +20,7 @@ from PIL import Image
 PROJECT = Path(__file__).resolve().parent.parent
 SOURCE = PROJECT / "addon/manual"
 #: In the order in which they are read.
-PAGES = ("index", "five-minutes", "nets", "curves", "surfaces", "modify", "continuity", "seeing", "following", "shapes",
+PAGES = ("index", "five-minutes", "tools", "nets", "curves", "surfaces", "modify", "continuity", "seeing", "following", "shapes",
          "teaching", "files", "python", "preferences")
 #: Files that the README links and the add-on brings, by where they lie in the project.
 _BROUGHT = {"LICENSE": "../LICENSE", "addon/splinewright/CHANGELOG.md": "../CHANGELOG.md"}
