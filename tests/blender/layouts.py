@@ -11,7 +11,7 @@ class Layout:
     """Stands for Blender's UILayout."""
 
     def __init__(self, whole=None):
-        for name in ('texts', 'props', 'operators', 'disabled'):        # those of the whole, in its parts too
+        for name in ('texts', 'props', 'operators', 'disabled', 'menus'):        # those of the whole, in its parts too
             object.__setattr__(self, name, getattr(whole, name) if whole else [])
         object.__setattr__(self, 'enabled', whole.enabled if whole else True)
 
@@ -36,14 +36,22 @@ class Layout:
         self.texts.append(text or getattr(getattr(bpy.ops, module), function).get_rna_type().name)
         return SimpleNamespace()
 
+    def operator_menu_enum(self, name, enum, text="", **_):
+        self.operator(name, text)
+
     def separator(self, **_):
         """Nothing to say."""
 
     def popover(self, *_, **__):
         """Nothing to say."""
 
-    def menu(self, *_, **__):
-        """Nothing to say."""
+    def menu(self, name, **_):
+        self.menus.append(name)
+
+    def template_list(self, kind, _name, data, items, active, number, **_):
+        """Each row, as the list draws it."""
+        for index, item in enumerate(getattr(data, items)):
+            getattr(bpy.types, kind).draw_item(SimpleNamespace(), bpy.context, Layout(self), data, item, 0, active, number, index)
 
     def context_pointer_set(self, *_):
         """Nothing to say."""
@@ -75,3 +83,15 @@ def drawn():
         if not hasattr(panel, 'poll') or panel.poll(bpy.context):
             layout.texts.extend(drawn_by(panel, bpy.context).texts)
     return " ".join(layout.texts)
+
+
+def sidebar(context):
+    """The layout of what the sidebar shows of a shape, its construction, how it is shown, and of its control points."""
+    whole = Layout()
+    for name in ('shape', 'construction', 'display', 'points'):
+        panel = getattr(bpy.types, f"SPLINEWRIGHT_PT_{name}")
+        if panel.poll(context):
+            own = drawn_by(panel, context)
+            for what in ('texts', 'props', 'operators', 'disabled', 'menus'):
+                getattr(whole, what).extend(getattr(own, what))
+    return whole

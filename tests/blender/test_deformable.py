@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import drawn_by, sidebar
 from shapes import activate, add, enter, leave, op, require_exact
 from support import part, splinecore as sc
 from test_files import reopen, save
@@ -36,7 +36,7 @@ def test_a_revolve_is_exact_unless_asked_and_says_how_near_it_is():
     after = ob.data.splinewright.value
     require_exact(ob)
     assert after != before and (after.weights == 1).all() and after.periodic[0]
-    assert any("ithin" in text for text in drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    assert any("ithin" in text for text in sidebar(bpy.context).texts)
     ob.data.splinewright_parameters.revolve_tolerance = 1e-5
     assert len(ob.data.splinewright.value.points) > len(after.points)
 

@@ -114,7 +114,8 @@ def test_trims_by_click_name_the_part_that_is_clicked():
         sc.NurbsCurve(1, [0, 0, 1, 1], [(x, -1, 0), (x, 1, 0)]) for x in (1.0, 2.0, 3.0)]])
     ob.name = "shape"
     trim = part('ui.operators.curve_here').SPLINEWRIGHT_OT_trim_here
-    operator = SimpleNamespace(report=lambda *_: None, operator=trim.operator)
+    operator = SimpleNamespace(report=lambda *_: None, meet='VISIBLE')
+    operator.operator = lambda *args: trim.operator(operator, *args)
     assert trim.clicked(operator, SimpleNamespace(name="shape", number=1, parameters=(1e7 + 0.6,))) == {'FINISHED'}
     ends = sorted(float(end) for piece in value() for end in piece.evaluate(np.array(piece.domain))[:, 0] if np.ptp(piece.points[:, 1]) == 0)
     assert np.allclose(ends, [0, 2, 3, 4], atol=1e-6)

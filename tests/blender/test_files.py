@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import sidebar
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select, shown
 from support import part, vertices
 
@@ -326,7 +326,7 @@ def test_the_panel_and_tab_say_from_which_file_a_shape_is_linked_and_make_it_loc
     if is_overridden:
         ob = ob.override_create(remap_local_usages=True)
         activate(ob)
-    layout = drawn_by(part('ui.panels').SPLINEWRIGHT_PT_shape, bpy.context)
+    layout = sidebar(bpy.context)
     assert "linked from library.blend" in " ".join(layout.texts) and "object.make_local" in layout.operators
     assert "splinewright.edit_net" not in layout.operators
     assert bpy.ops.splinewright.edit_linked.poll(), "Tab"

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import sidebar
 from natives import exact, native, select as select_objects
 from shapes import add, enter, leave, op, require_exact
 from support import part, splinecore as sc
@@ -393,17 +393,17 @@ def test_the_panel_says_the_types_of_selected_joints():
     held = enter()
     for parts, said in (((0,), "Handles: Automatic"), ((1,), "Handles: Vector, Free"), (((2, 0), 3), "Handles: Automatic, Aligned")):
         choose(held, *parts)
-        drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context)
+        drawn = sidebar(bpy.context)
         assert said in drawn.texts and drawn.operators.count("curve.handle_type_set") == 4
     choose(held)
-    assert not any("Handles" in text for text in drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    assert not any("Handles" in text for text in sidebar(bpy.context).texts)
     bpy.data.objects["chain"].data[handles.KEY] = "x"
-    assert "handle types of chain are damaged" in " ".join(drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    assert "handle types of chain are damaged" in " ".join(sidebar(bpy.context).texts)
     leave()
     add(sc.BezierCurve(PLACES[:5]), name="polygon")
     enter()
     bpy.ops.curve.select_all(action='SELECT')
-    assert "curve.handle_type_set" not in drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).operators
+    assert "curve.handle_type_set" not in sidebar(bpy.context).operators
     leave()
 
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from mathutils.bvhtree import BVHTree
 
-from layouts import Layout, drawn_by
+from layouts import Layout, sidebar
 from patches import value_of
 from shapes import activate, add, enter, leave, op, require_exact
 from support import part, splinecore as sc, vertices
@@ -88,7 +88,7 @@ def test_open_and_closed_ones_are_refused_by_name_at_first_and_when_added():
 
 def test_tangency_of_its_ends_is_in_the_panel_and_what_is_missing_is_said():
     ob = loft(*(ring(z, f"ring {z}") for z in (0, 1, 3)))
-    assert {'Start', 'End'} <= set(drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    assert {'Start', 'End'} <= set(sidebar(bpy.context).texts)
     ob.data.splinewright_parameters.loft_start = 'normal'
     assert recipes.read(ob.data).values['start'] == 'normal'
     ob.data.splinewright_parameters.loft_start = 'G1'
@@ -101,7 +101,7 @@ def test_the_panel_of_what_is_made_of_a_mesh_is_whole_and_the_mesh_is_named_wher
     source = bpy.context.object
     assert op(bpy.ops.splinewright.add_of_mesh) == {'FINISHED'}
     ob = bpy.context.object
-    drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context)
+    drawn = sidebar(bpy.context)
     assert f"Follows {source.name}" in drawn.texts and {'Make Editable', 'Kind', 'Degrees'} <= set(drawn.texts)
     require_exact(ob)
     source.data.vertices[0].co.z += 0.3
@@ -145,3 +145,24 @@ def test_a_loft_of_few_sections_is_smooth_and_thick_without_very_many_faces():
     points = skin.data.splinewright.value.evaluate_grid(u, v).reshape(-1, 3)
     size = np.linalg.norm(np.ptp(points, axis=0))
     assert max(tree.find_nearest(point)[3] for point in points.tolist()) <= 1.1e-3 * size
+
+
+def test_the_list_of_its_sections_moves_turns_adds_and_removes():
+    rings = [ring(z, f"ring {z}") for z in (0, 1, 3)]
+    ob = loft(*rings)
+    group = ob.data.splinewright_parameters
+    assert len(group.inputs) == 3
+    drawn = sidebar(bpy.context)
+    assert drawn.props.count("name") == 3 and drawn.operators.count("splinewright.turn_input") == 3
+    group.active_input = 2
+    op(bpy.ops.splinewright.move_input, index=2, way='UP')
+    assert [source.name for source in recipes.read(ob.data).sources] == ["ring 0", "ring 3", "ring 1"] and group.active_input == 1
+    op(bpy.ops.splinewright.turn_input, index=1)
+    assert recipes.input_at(ob.data, 1) == (rings[2], True)
+    op(bpy.ops.splinewright.remove_input, index=2)
+    assert len(group.inputs) == 2 and recipes.input_at(ob.data, 1) == (rings[2], True)
+    take_in(ob, rings[1])
+    assert len(group.inputs) == 3 and not problems.of(ob.data, problems.SETTING)
+    group.inputs.clear()                # as in files of before there was a list
+    recipes.show_new([ob.data])
+    assert len(group.inputs) == 3

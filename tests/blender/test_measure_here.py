@@ -13,7 +13,7 @@ from support import part, splinecore as sc
 
 measured, measure_here = part('core.measured'), part('ui.operators.measure_here')
 measure_panel = part('ui.measure_panel')
-panel = measure_panel.SPLINEWRIGHT_PT_measure
+panel = measure_panel.SPLINEWRIGHT_PT_measure_place
 
 
 @pytest.fixture(autouse=True)

@@ -23,9 +23,9 @@ def patience(monkeypatch):
 
 
 def said():
-    """{label: number} of the panel."""
+    """{label: number} of the panel and of those below it."""
     assert panel.poll(bpy.context)
-    texts = [text for text in drawn_by(panel, bpy.context).texts if text]
+    texts = [text for one in measure_panel.CLASSES for text in drawn_by(one, bpy.context).texts if text]
     found = {}
     for name, value in zip(texts, texts[1:]):
         try:
@@ -183,3 +183,12 @@ def test_the_panel_of_a_curve_of_very_many_points_is_drawn_soon():
     rows = dict(measured.at_parameter(curve, (0.9, 0.0), lambda: True))
     assert "Length to here" not in rows and "Curvature" in rows
     assert dict(measured.at_parameter(curve, (0.9, 0.0)))["Length to here"] > 1
+
+
+@pytest.mark.parametrize('value, names', ((curves.value_of('circle'), {"Length"}), (sc.build.sphere((0, 0, 0), 1.0), {"Area", "Volume"})))
+def test_five_numbers_stand_first_and_the_rest_is_folded(value, names):
+    add(value)
+    texts = [text for text in drawn_by(panel, bpy.context).texts if text]
+    assert set(texts[::2]) == names | {f"Size {axis}" for axis in "XYZ"} and len(texts) <= 10
+    others = [one for one in measure_panel.CLASSES if one != panel]
+    assert all('DEFAULT_CLOSED' in one.bl_options and one.bl_parent_id == panel.bl_idname for one in others) and others

@@ -12,12 +12,12 @@ from natives import native_curve
 from shapes import VALUES, activate, add, enter, op
 from support import part
 
-menus, menu_table, offered = part('ui.menus'), part('ui.menu_table'), part('ui.offered')
+menus, menu_table, offered, tool_table = (part(f'ui.{name}') for name in ('menus', 'menu_table', 'offered', 'tool_table'))
 #: Blender's own height of an entry and of a line between groups, in pixels at 100 %.
 ENTRY, LINE = 20, 8
 #: Operators that are not found in menus: of panels, keys, files, redo panels, lists and other modes.
 ELSEWHERE = {
-    'add_inputs', 'axis_from_edge', 'edit_linked', 'export_bpt', 'export_json', 'fit_patch', 'hold_joint',
+    'add_asset_library', 'add_inputs', 'add_sample', 'axis_from_edge', 'edit_linked', 'export_bpt', 'export_json', 'fit_patch', 'hold_joint',
     'hold_seam', 'import_bpt', 'import_json', 'insert_on_strip', 'leave_result', 'manual', 'measure_whole', 'move_input', 'move_knot',
     'patch_through_grid', 'pick_for_operator', 'pie', 'release_joint', 'release_seam', 'remove_input', 'remove_on_strip',
     'reverse_inputs', 'select_seen', 'self_test', 'set_moving', 'set_patch_material', 'show_inputs', 'sort_inputs',
@@ -115,7 +115,7 @@ def test_a_curve_of_blender_is_made_exact_or_followed():
 def test_a_shape_has_its_verbs(value, own, others):
     add(value())
     found = set(drawn(CONTEXT))
-    assert own | {"edit_net", "set_knots", "pick_piece", "to_native", "follow_object", "restore", "raise_degree", "split"} <= found
+    assert own | {"edit_net", "set_knots", "use_tool", "to_native", "follow_object", "restore", "raise_degree", "split"} <= found
     assert not (others | {"make_exact"}) & found
     assert drawn(APPLY) == ["apply_transform"] and drawn(CONVERT) == ["to_native"]
 
@@ -164,11 +164,34 @@ def test_a_command_is_in_one_menu():
     from_objects = {entry.operator for menu in (menu_table.FROM_CURVES, menu_table.FROM_SURFACES) for entry in menu.entries}
     for kind in sorted(part('ui.kinds').ALL):
         of_kind = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)
-                   if entry.operator != 'show_sight' and entry.concerns is not None and kind in entry.concerns]
+                   if entry.operator not in ('show_sight', 'use_tool') and entry.concerns is not None and kind in entry.concerns]
         assert len(of_kind) == len(set(of_kind)), kind
     assert set(adding) and {name for name in adding if adding.count(name) > 1} == {'add_filling'}, "for curves, and for surfaces"
     assert set(objects) & set(adding) == from_objects, "what is made of objects is under Add, too, in the same menus"
-    assert {*objects, *adding, *nets} | ELSEWHERE == set(dir(bpy.ops.splinewright))
+    of_tools = {tool.operator.partition(".")[2] for tool in tool_table.TOOLS.values()}
+    assert {*objects, *adding, *nets} | of_tools | ELSEWHERE == set(dir(bpy.ops.splinewright))
+    assert not of_tools & set(objects), "what takes clicks is a tool, and no entry beside it"
+
+
+def test_every_tool_is_found_by_f3():
+    """By the entry of a menu that chooses it, or the operator's own entry, in each mode where the tool is."""
+    for mode, top in (('OBJECT', menu_table.OBJECT), ('EDIT_MESH', menu_table.NET), ('EDIT_CURVE', menu_table.NET)):
+        entries = [*menu_table.operators_in(top), *menu_table.operators_in(menu_table.ADD_CURVE)]
+        chosen = {value for entry in entries if entry.operator == 'use_tool' for _, value in entry.settings}
+        found = chosen | {tool.name for tool in tool_table.TOOLS.values() for entry in entries
+                          if tool.operator == f"splinewright.{entry.operator}"}
+        wanted = {tool.name for tool in tool_table.TOOLS.values() if mode in tool.modes}
+        assert wanted <= found, (mode, wanted - found)
+        assert {name for name in chosen if mode == 'OBJECT'} <= wanted, "none that is not there in this mode"
+
+
+@pytest.mark.parametrize('value, own, others', (
+    (lambda: value_of('cubic'), {'trim', 'fillet', 'split', 'pick'}, {'isocurve', 'edge', 'join', 'round_edges'}),
+    (lambda: patches.value_of('bicubic'), {'isocurve', 'edge', 'join', 'round_edges', 'split', 'pick'}, {'trim', 'fillet', 'extend'})))
+def test_the_menu_of_tools_has_those_for_what_is_selected(value, own, others):
+    add(value())
+    shown = {entry.settings[0][1] for entry in menu_table.OBJECT_TOOLS.entries if entry and menus._is_shown(entry, bpy.context)}
+    assert own <= shown and not others & shown
 
 
 @pytest.mark.parametrize('makes', (

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import sidebar
 from shapes import VALUES, add, enter, first_point, leave, move, op, require_exact, select, shown
 from support import part, splinecore as sc
 
@@ -100,7 +100,7 @@ def test_the_reach_of_a_curve_that_runs_to_infinity_comes_back():
     add(sc.BezierCurve([(0, 0), (0, 1), (1, 0)], [1, 1, 0]))
     enter()
     before = state()
-    assert "reach" in drawn_by(panels.SPLINEWRIGHT_PT_shape, bpy.context).props
+    assert "reach" in sidebar(bpy.context).props
     settings().reach = 20.5
     push()
     assert state()[2] != before[2]
@@ -129,7 +129,7 @@ def test_faces_that_are_too_many_are_refused_in_words_and_undo_takes_the_wish_ba
     push()
     fine = np.array(before[2], np.float32)
     assert "2^22" in settings().problem and np.array_equal(shown(bpy.data.objects["shape"]), fine)
-    assert any("2^22" in text for text in drawn_by(panels.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    assert any("2^22" in text for text in sidebar(bpy.context).texts)
     bpy.ops.ed.undo()
     assert state() == before
     bpy.ops.ed.redo()
@@ -159,7 +159,7 @@ def test_a_recipe_stays_a_recipe(operator):
     push("name")
     held = enter()
     before = state()
-    layout = drawn_by(panels.SPLINEWRIGHT_PT_shape, bpy.context)
+    layout = sidebar(bpy.context)
     assert "mode" in layout.props
     settings().resolution_u = 40
     push()
@@ -180,7 +180,7 @@ def test_a_recipe_stays_a_recipe(operator):
 def test_the_panel_of_the_net_shows_the_settings_and_the_knots():
     add(VALUES['nurbs patch']())
     enter()
-    layout = drawn_by(panels.SPLINEWRIGHT_PT_shape, bpy.context)
+    layout = sidebar(bpy.context)
     assert {"mode", "resolution_u", "resolution_v", "sharp_angle"} <= set(layout.props)
     assert "splinewright.set_knots" in layout.operators
 

@@ -11,7 +11,7 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
+VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Choose', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
          'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 
          'Rebuild', 'Reduce', 'Release', 'Remove', 'Renew', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split', 'Swap', 'Sweep', 'Switch', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
          'Write'}

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import sidebar
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
 from support import curve_points, part, splinecore as sc
 
@@ -371,5 +371,5 @@ def test_what_does_not_count_is_not_shown(kind, name, value, hidden):
         shown = recipe.counting(SimpleNamespace(**{**recipe.defaults, name: now}))
         assert (given[hidden] in shown) == is_shown
         data = add_recipe(kind, **{name: now}).data
-        drawn = drawn_by(part('ui.panels').SPLINEWRIGHT_PT_shape, bpy.context)
+        drawn = sidebar(bpy.context)
         assert (f"{kind}_{hidden}" in drawn.props) == is_shown, drawn.props

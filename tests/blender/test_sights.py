@@ -405,9 +405,18 @@ def test_the_popover_has_every_switch(chosen):
     assert not panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
 
 
-def test_every_setting_of_a_sight_has_its_name_beside_it(chosen):
+def test_analysis_has_every_switch_by_groups_with_the_settings_of_those_that_are_on(chosen):
     obs = [add(VALUES[kind](), kind) for kind in ('nurbs', 'nurbs patch')]
     activate(*obs)
-    layout = drawn_by(panel.SPLINEWRIGHT_PT_sight_settings, bpy.context)
-    others = {known.identifier for known in chosen.bl_rna.properties if known.type != 'BOOLEAN'} - {'rna_type', 'name'}
-    assert set(layout.props) == others and len(layout.props) == len(others) and not any(layout.texts), "each once, by its own name"
+    known = {one.identifier: one.type for one in chosen.bl_rna.properties if one.identifier not in ('rna_type', 'name')}
+    switches = {name for name, kind in known.items() if kind == 'BOOLEAN'}
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_analysis, bpy.context)
+    assert set(layout.props) == switches and len(layout.props) == len(switches)
+    assert [text for text in layout.texts if text] == ["Structure", "Curvature", "Deviation"]
+    for switch in switches:
+        setattr(chosen, switch, True)
+    layout = drawn_by(panel.SPLINEWRIGHT_PT_analysis, bpy.context)
+    assert set(layout.props) == set(known) and len(layout.props) == len(known), "each once"
+    chosen.hodograph = chosen.comb = False
+    drawn = drawn_by(panel.SPLINEWRIGHT_PT_analysis, bpy.context).props
+    assert "place" in drawn and not {"comb_scale", "hodograph_scale"} & set(drawn)

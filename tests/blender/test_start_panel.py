@@ -10,6 +10,7 @@ from shapes import activate, add, enter, op
 from support import part, splinecore as sc
 
 start_panel = part('ui.start_panel')
+menu_table = part('ui.menu_table')
 
 
 def curve():
@@ -74,8 +75,24 @@ def test_what_is_offered(state):
     made(state)
     assert start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
     layout = drawn()
-    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or {'import_json'})
-    assert ("Add" in layout.texts) == (not STATES[state][1])
+    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or ({'import_json', 'add_sample', 'manual'} if not STATES[state][0] or state == 'a cube' else set()))
+    assert ("Add" in layout.texts) == ('import_json' in " ".join(layout.operators))
+
+
+@pytest.mark.parametrize('state, names', [
+    ('a curve', {'add_filling', 'add_offset', 'add_section'}),
+    ('two curves', {'add_two_rails', 'add_blend', 'add_touching_circle'}),
+    ('three curves', {'add_network', 'add_filling', 'add_two_rails'}),
+    ('two curves of Blender', {'add_network', 'add_filling'}),
+    ('a patch', {'cap', 'add_section', 'add_extended_surface', 'extract_isocurve'}),
+    ('two patches', {'add_rounded_edge', 'add_filling', 'add_section'}),
+    ('a curve and a patch', {'add_on_patch', 'add_projected', 'add_rounded_edge'}),
+    ('a surface of Blender', {'add_rounded_edge', 'add_offset_surface'})])
+def test_menus_have_the_rest(state, names):
+    made(state)
+    shown = drawn().menus
+    entries = [entry.operator for menu in menu_table.MENUS if menu.idname in shown for entry in menu_table.operators_in(menu)]
+    assert names <= set(entries)
 
 
 @pytest.mark.parametrize('state, name', OFFERED)

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import sidebar
 from shapes import activate, add, op
 from support import part, splinecore as sc
 from test_files import reopen, save
@@ -30,7 +30,7 @@ def said():
 
 def panel(ob):
     activate(ob)
-    return " ".join(drawn_by(bpy.types.SPLINEWRIGHT_PT_shape, bpy.context).texts)
+    return " ".join(sidebar(bpy.context).texts)
 
 
 def delete(*objects):

@@ -1,5 +1,6 @@
 """Tools while a net is out: weights in the hand, the toolbar, the pie and the hints. The gestures are tried in a window."""
 
+import re
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -187,19 +188,40 @@ def listed(mode):
     return [item.idname for item in found if item is not None]
 
 
-OURS = ["splinewright.insert_knot", "splinewright.pull", "splinewright.weight"]
+TOOLS = part('ui.tool_table').TOOLS
+OURS = {mode: [tool.idname for tool in TOOLS.values() if mode in tool.modes] for mode in ('OBJECT', 'EDIT_MESH', 'EDIT_CURVE')}
+DRAWING = [tool.idname for tool in TOOLS.values() if tool.is_always]
 
 
-def test_tools_are_there_for_nets_and_shapes_and_nothing_else(toolbar):
-    assert not set(OURS) & {*listed('OBJECT'), *listed('EDIT_MESH')}
+def ours(mode):
+    return [name for name in listed(mode) if name.startswith("splinewright.")]
+
+
+def test_tools_are_there_for_nets_and_shapes_and_only_those_that_draw_without_them(toolbar):
+    assert ours('OBJECT') == DRAWING == OURS['OBJECT'][:3] and not ours('EDIT_MESH') and not ours('EDIT_CURVE')
     add(VALUES['nurbs patch']())
-    assert [name for name in listed('OBJECT') if name in OURS] == OURS[:2]
+    assert ours('OBJECT') == OURS['OBJECT']
     enter()
-    assert [name for name in listed('EDIT_MESH') if name in OURS] == OURS
-    bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True)
+    assert ours('EDIT_MESH') == OURS['EDIT_MESH'] and "splinewright.radius" not in OURS['EDIT_MESH']
+    leave()
+    add(VALUES['nurbs']())
+    enter()
+    assert ours('EDIT_CURVE') == OURS['EDIT_CURVE'] == [*OURS['EDIT_MESH'][:-1], "splinewright.radius", "splinewright.tilt",
+                                                        OURS['EDIT_MESH'][-1]]
+    leave()
     bpy.ops.mesh.primitive_cube_add()
     bpy.ops.object.mode_set(mode='EDIT')
-    assert not set(OURS) & set(listed('EDIT_MESH')) and "builtin.transform" in listed('EDIT_MESH')
+    assert not ours('EDIT_MESH') and "builtin.transform" in listed('EDIT_MESH')
+
+
+def test_tools_are_in_groups_with_one_button_each(toolbar):
+    from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active as panel
+    add(VALUES['nurbs']())
+    buttons = [item for item in panel.tools_from_context(bpy.context, 'OBJECT') if item is not None]
+    first = [tool.idname for group in part('ui.tool_table').GROUPS for tool in group[:1] if 'OBJECT' in tool.modes]
+    groups = [item for item in buttons if not hasattr(item, "idname") and item[0].idname.startswith("splinewright.")]
+    assert [group[0].idname for group in groups] == first and all(len(group) > 1 for group in groups)
+    assert not [item for item in buttons if hasattr(item, "idname") and item.idname.startswith("splinewright.")]
 
 
 def test_tools_of_ours_go_without_a_trace(toolbar):
@@ -220,10 +242,60 @@ def test_tools_of_ours_go_without_a_trace(toolbar):
     toolbar.register()
 
 
-def test_icons_of_tools_are_such_as_blender_takes(toolbar):
+@pytest.mark.parametrize('name', TOOLS)
+def test_each_tool_is_whole(name):
+    """Its icon, keys of the status bar, cursor, words, operator, and settings that this has."""
+    tool = TOOLS[name]
+    icon = f"{part('ui.toolbar').icon_of(tool)}.dat"
     folder = Path(bpy.utils.system_resource('DATAFILES', path="icons"))     # where Blender looks; ours have whole paths
-    for tool in toolbar._TOOLS:
-        assert bpy.app.icons.new_triangles_from_file(str(folder / f"{toolbar._icon(tool.icon)}.dat")) > 0
+    assert bpy.app.icons.new_triangles_from_file(str(folder / icon)) > 0
+    others = [Path(f"{part('ui.toolbar').icon_of(other)}.dat").read_bytes() for other in TOOLS.values() if other is not tool]
+    assert Path(icon).read_bytes() not in others, "an icon of its own"
+    known = {item.identifier for kind in (bpy.types.UILayout,) for item in kind.bl_rna.functions['label'].parameters['icon'].enum_items}
+    assert tool.keys and all(words and set(icons) <= known for icons, words in tool.keys)
+    assert len(tool.keys) == 1 + len(tool.modifiers)
+    assert tool.label == tool.label.strip() and tool.label and tool.label[0].isupper() and "Click" not in tool.label
+    assert 3 <= len(tool.description.split()) <= 20 and not re.search(r"[.!?]", tool.description), "one sentence without a stop"
+    assert tool.description[0].isupper()
+    operator = getattr(bpy.ops.splinewright, tool.operator.partition(".")[2]).get_rna_type()
+    properties = operator.properties
+    assert {key for key, _ in tool.settings} <= set(properties.keys())
+    for shown in (*tool.shown, *tool.of_patches):
+        assert properties[shown].name and properties[shown].description and not properties[shown].is_hidden, shown
+    assert tool.modes and set(tool.modes) <= {'OBJECT', 'EDIT_MESH', 'EDIT_CURVE'}
+    works_on_nets = getattr(getattr(bpy.types, operator.identifier), 'works_on_nets', False)
+    assert works_on_nets or tool.modes == ('OBJECT',), "a tool of nets whose operator works there"
+
+
+def test_cursors_are_such_as_blender_has():
+    known = {item.identifier for item in bpy.types.Window.bl_rna.functions['cursor_set'].parameters['cursor'].enum_items}
+    assert {tool.cursor for tool in TOOLS.values()} <= known
+
+
+def test_the_header_shows_the_settings_of_the_tool():
+    """Those of patches only with one."""
+    toolbar, shown = part('ui.toolbar'), []
+
+    class Header(Layout):
+        def label(self, **_):
+            """What stands before a choice."""
+
+        def row(self, **_):
+            return self
+
+        def prop(self, _, name, **__):
+            shown.append(name)
+    for name, tool in TOOLS.items():
+        properties = SimpleNamespace(bl_rna=getattr(bpy.ops.splinewright, tool.operator.partition(".")[2]).get_rna_type())
+        for is_of_patches in (False, True):
+            shown.clear()
+            toolbar.draw_settings(tool, Header(), properties, is_of_patches)
+            assert tuple(shown) == (*tool.shown, *(tool.of_patches if is_of_patches else ())), name
+
+
+def test_a_tool_is_no_entry_of_menus_in_background():
+    add(VALUES['nurbs']())
+    assert not bpy.ops.splinewright.use_tool.poll()
 
 
 class Pie(Layout):

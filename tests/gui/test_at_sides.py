@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
+from flat_shapes import sheet
 from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
@@ -24,25 +25,6 @@ def state():
 
 def value(name="sheet"):
     return bpy.data.objects[name].data.splinewright.value
-
-
-def sheet(view, count=1):
-    """Flat patches in a row along x, with room between them, seen from above."""
-    sc = part('core.library').sc
-    u, v = np.meshgrid(np.linspace(-1, 1, 4), np.linspace(-1, 1, 4), indexing='ij')
-    patches = [sc.BezierPatch(np.stack([u + 3 * i, v, np.zeros_like(u)], -1)).to_nurbs() for i in range(count)]
-    with view.override():
-        empty_file()
-        data = part('bridge.shape').new_data("sheet", sc.PatchSet.from_patches(patches) if count > 1 else patches[0], (6, 6))
-        ob = bpy.data.objects.new("sheet", data)
-        bpy.context.scene.collection.objects.link(ob)
-        bpy.context.view_layer.objects.active = ob
-        ob.select_set(True)
-        bpy.context.preferences.view.smooth_view = 0
-        bpy.ops.view3d.view_axis(type='TOP')
-        bpy.ops.view3d.view_selected()
-        bpy.ops.ed.undo_push(message="sheet")
-    yield from redrawn()
 
 
 def over(view, point, operator):

@@ -8,7 +8,8 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, mean_difference, part, redrawn, run, save_picture, until
+from flat_shapes import begun, curves, lines
+from window import View, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 CORNERS = [(-3, -1.5, 0), (3, -1.5, 0), (3, 1.5, 0), (-3, 1.5, 0)]
@@ -20,22 +21,6 @@ def picture(name):
 
 def state():
     return part('bridge.file_state').state
-
-
-def curves(name=None):
-    ob = bpy.data.objects[name] if name else bpy.context.object
-    value = ob.data.splinewright.value
-    return value if isinstance(value, list) else [value]
-
-
-def begun(view):
-    """An empty scene, seen from above."""
-    with view.override():
-        empty_file()
-        bpy.ops.view3d.view_axis(type='TOP')
-        bpy.context.space_data.region_3d.view_location = (0, 0, 0)
-        bpy.context.space_data.region_3d.view_distance = 14
-    yield from redrawn()
 
 
 def call(view, name):
@@ -140,21 +125,6 @@ def guided(view):
     yield from redrawn()
     picture("closed-by-arc")
     print("guided", flush=True)
-
-
-def lines(view, *rows):
-    """A shape of each, all selected, the first active."""
-    yield from begun(view)
-    sc = part('core.library').sc
-    for number, row in enumerate(rows):
-        data = part('bridge.shape').new_data(f"line {number}", sc.BezierCurve(np.array(row, float)), (12, 12))
-        ob = bpy.data.objects.new(f"line {number}", data)
-        bpy.context.scene.collection.objects.link(ob)
-        ob.select_set(True)
-        bpy.context.view_layer.objects.active = bpy.data.objects["line 0"]
-    with view.override():
-        bpy.ops.ed.undo_push(message="lines")
-    yield from redrawn()
 
 
 def trimmed(view):

@@ -109,7 +109,7 @@ def keys(view, text):
 
 def word(view, text):
     """A word of the interface: what is searched for, or a field."""
-    if text in ("Make Editable", "Split by Click"):
+    if text in ("Make Editable", "Tools Split"):
         for letter in text.lower():
             view.press(by_keys.KEYS.get(letter, letter.upper()), letter)
         yield from redrawn()
@@ -121,6 +121,13 @@ def word(view, text):
         yield from until(lambda: value() != before and np.ptp(value().weights) == 0, "a deformable vase")
         view.move(420, 420)
         look(view)
+        yield from redrawn()
+    elif text == "V":
+        tool = part('ui.toolbar').active(bpy.context)
+        assert tool.name == "split", "F3 chose the tool"
+        part('ui.toolbar').settings(bpy.context, tool).direction = text
+        view.move(*seen_at(view, place_on(view, "neck")))
+        yield from redrawn()
         yield from redrawn()
     elif text == "G2":
         held(view, text)

@@ -1,5 +1,6 @@
 """The tab of the sidebar in every state, at the width it opens with."""
 
+import contextlib
 import os
 import sys
 from pathlib import Path
@@ -20,6 +21,21 @@ def select(*obs):
     for ob in bpy.context.view_layer.objects:
         ob.select_set(ob in obs)
     bpy.context.view_layer.objects.active = obs[-1] if obs else None
+
+
+@contextlib.contextmanager
+def unfolded(*names):
+    """Some panels open and above the others, as a user opens and drags them."""
+    changed = [getattr(bpy.types, f"SPLINEWRIGHT_PT_{name}") for name in names]
+    def again(options, order):
+        for cls in changed:
+            bpy.utils.unregister_class(cls)
+            cls.bl_options, cls.bl_order = options, order
+            cls.bl_idname = cls.bl_idname + "_open" if not options else cls.bl_idname.removesuffix("_open")
+            bpy.utils.register_class(cls)
+    again(set(), 0)
+    yield
+    again({'DEFAULT_CLOSED'}, 9)
 
 
 def pictures(view):
@@ -53,6 +69,19 @@ def pictures(view):
     select(line)
     yield from seen("revolve", add('add_revolve'))
     yield from seen("teapot", add('add_teapot'))
+    rings = []
+    for z in (0.0, 1.0, 2.0, 3.0):
+        rings.append(add('add_circle'))
+        rings[-1].location.z = z
+    select(*rings)
+    loft = add('add_loft')
+    yield from seen("loft", loft)
+    bpy.context.scene.splinewright_sights.stripes = True
+    yield from redrawn()
+    with unfolded("analysis", "measure"):
+        yield from redrawn()
+        save_picture(OUTPUT / "sidebar-analysis.png")
+    bpy.context.scene.splinewright_sights.stripes = False
     select(curve)
     view.press('TAB')
     yield from into_net()

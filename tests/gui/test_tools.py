@@ -244,7 +244,7 @@ def on_a_patch(view):
     before = value()
     (u0, u1), (v0, v1) = before.domain
     yield from choose(view, "splinewright.insert_knot")
-    settings = part('ui.toolbar').settings(bpy.context, "insert_knot")
+    settings = part('ui.toolbar').settings(bpy.context, part('ui.tool_table').TOOLS["insert_knot"])
     settings.direction = 'BOTH'
     grid = [(u, v) for u in np.linspace(u0, u1, 9)[1:-1] for v in np.linspace(v0, v1, 10)[1:-1]]
     view.move(*next(pixel for pixel in (view.pixel_of(before.evaluate(*at)) for at in grid)

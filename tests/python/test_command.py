@@ -66,6 +66,19 @@ def test_json_and_bpt_become_each_other(capsys, file, tmp_path):
     assert isinstance(made, sc.PatchSet) and np.array_equal(made[0].points, flat.points)
 
 
+def test_info_goes_on_after_a_file_that_is_wrong(capsys, file, tmp_path):
+    damaged = tmp_path / "b.json"
+    damaged.write_text("{")
+    code, out, err = call(capsys, "info", file("a.json", circle()), damaged, tmp_path / "missing.json", file("c.json", torus()))
+    assert code == 2 and "a.json: 1 shape" in out and "c.json: 1 shape" in out
+    assert "b.json: JSON: the text is damaged at byte 2, line 1, column 2: it ends before the value does" in err and "missing.json" in err
+
+
+def test_two_kinds_of_fineness_are_refused(capsys, file, tmp_path):
+    code, _, err = call(capsys, "tessellate", file("a.json", torus()), tmp_path / "a.obj", "--resolution", 4, "--tolerance", 0.1)
+    assert code == 2 and "one or the others" in err and not (tmp_path / "a.obj").exists()
+
+
 @pytest.mark.parametrize("kind, types", [("nurbs", (sc.NurbsCurve, sc.NurbsPatch)), ("bezier", (sc.BezierCurve, sc.BezierPatch))])
 def test_shapes_become_of_one_kind(capsys, file, tmp_path, kind, types):
     values = [circle(), closed_cubic(), hermite_chain(), wavy_patch(), sc.PatchSet.from_patches([torus()])]
@@ -190,7 +203,7 @@ def test_wrong_places_and_endings_are_told_of(capsys, file, tmp_path):
     for arguments, words in (
             (["info", tmp_path / "none.json"], "cannot be read"), (["info", tmp_path], "cannot be read"),
             (["tessellate", path, tmp_path / "none/a.obj"], "cannot be written"),
-            (["tessellate", path, tmp_path / "a.step"], ".obj, .ply, .stl can be written"),
+            (["tessellate", path, tmp_path / "a.step"], ".obj, .ply, .stl, .glb can be written"),
             (["convert", path, tmp_path / "a.iges"], ".json, .bpt can be written"),
             (["tessellate", path, tmp_path / "a.obj", "--resolution", 0], "resolution"),
             (["tessellate", path, tmp_path / "a.obj", "--tolerance", "nan"], "tolerance")):

@@ -63,7 +63,7 @@ DAMAGED = [
     ('{"format": "splinecore", "version": 1, "kind": "cone"}', "cone"),
     ('{"format": "splinecore", "version": 1, "items": 3}', "items"),
     ('{"format": "splinecore", "version": 1, "items": [3]}', "kind"),
-    ('{"format": "splinecore", "version": 1e400}', "out of range"),
+    ('{"format": "splinecore", "version": 1e400}', "too large"),
     ("\ufeff{}", "splinecore|damaged"), ("\ud800", "Unicode"), (b"\xff\xfe", "Unicode"), (b'{"\xc3', "Unicode"),
 ]
 

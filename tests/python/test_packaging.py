@@ -8,11 +8,13 @@ import subprocess
 import sys
 import textwrap
 
+import numpy as np
 import pytest
 
 import splinecore as sc
 
 NATIVE = pathlib.Path(__file__).resolve().parents[2] / "native"
+EXAMPLES = NATIVE.parent / "examples"
 PACKAGE = pathlib.Path(sc.__file__).resolve().parent
 
 
@@ -66,7 +68,7 @@ def as_the_build():
     With the one of PyPI, in an isolated build, `./run release` installs the source distribution."""
     if not shutil.which("ccache"):
         return {}
-    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON", "CXX": "/usr/bin/c++",
+    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON -DSPLINECORE_PRECOMPILED=OFF", "CXX": "/usr/bin/c++",
             "PATH": f"/usr/bin:{os.environ['PATH']}", "CCACHE_DEPEND": "1"}
 
 
@@ -80,29 +82,6 @@ def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
         pytest.skip(f"PyPI cannot be reached, so there is no scikit-build-core: {output[-200:]}")
     must(python, "-m", "pip", "install", "-q", "--no-build-isolation", NATIVE, env=as_the_build())
     assert must(python, "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
-
-
-MAIN = """
-#include <cstdio>
-#include <splinecore/curve/bezier_curve.hpp>
-#include <splinecore/curve/evaluate.hpp>
-
-int main() {
-  const auto curve = splinecore::BezierCurve::make({{1, 0, 0, 1}, {0, 1, 0, 0}, {-1, 0, 0, 1}});
-  const double u = 0.5;
-  double point[3];
-  splinecore::evaluate(curve.nurbs(), {&u, 1}, point);
-  std::printf("%g %g %g", point[0], point[1], point[2]);
-}
-"""
-
-PROJECT = """
-cmake_minimum_required(VERSION 3.22)
-project(use LANGUAGES CXX)
-find_package(splinecore {version} REQUIRED)
-add_executable(use main.cpp)
-target_link_libraries(use PRIVATE splinecore::splinecore)
-"""
 
 
 def installed(prefix, scratch):
@@ -121,16 +100,68 @@ def installed(prefix, scratch):
 needs_cmake = pytest.mark.skipif(not shutil.which("cmake"), reason="cmake is not installed")
 
 
+@pytest.fixture(scope="module")
+def prefix(tmp_path_factory):
+    """Where the library is installed."""
+    there = tmp_path_factory.mktemp("prefix")
+    installed(there, tmp_path_factory.mktemp("library"))
+    return there
+
+
+def require_bottle(program, path):
+    """What examples/cpp makes is closed but for its two ends."""
+    said = must(program, path)
+    data = path.read_bytes()
+    triangles = np.frombuffer(data, np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("rest", "<u2")]), offset=84)["points"]
+    assert "area" in said and len(triangles) == int.from_bytes(data[80:84], "little") > 500
+    _, corners = np.unique(triangles.reshape(-1, 3), axis=0, return_inverse=True)
+    edges = np.sort(corners.reshape(-1, 3)[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    _, counts = np.unique(edges, axis=0, return_counts=True)
+    open_points = triangles.reshape(-1, 3)[:, 2]
+    assert set(counts) == {1, 2} and open_points.min() == 0.0 and open_points.max() == 12.5
+
+
 @needs_cmake
-def test_find_package_gives_the_library_to_another_project(tmp_path):
-    installed(tmp_path / "prefix", tmp_path / "library")
-    use = tmp_path / "use"
-    use.mkdir()
-    (use / "CMakeLists.txt").write_text(PROJECT.format(version=version_of_cmake()))
-    (use / "main.cpp").write_text(MAIN)
-    must("cmake", "-S", use, "-B", use / "build", f"-DCMAKE_PREFIX_PATH={tmp_path / 'prefix'}")
-    must("cmake", "--build", use / "build")
-    assert must(use / "build/use").strip() == "0 1 0"
+def test_the_cpp_example_is_built_with_the_installed_library(prefix, tmp_path):
+    must("cmake", "-S", EXAMPLES / "cpp", "-B", tmp_path / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    must("cmake", "--build", tmp_path / "build")
+    require_bottle(tmp_path / "build/bottle", tmp_path / "bottle.stl")
+
+
+@needs_cmake
+def test_pkg_config_tells_a_compiler_what_it_needs(prefix, tmp_path):
+    if not shutil.which("pkg-config"):
+        pytest.skip("pkg-config is not installed")
+    (described,) = prefix.glob("**/splinecore.pc")
+    flags = must("pkg-config", "--cflags", "--libs", "splinecore", env={"PKG_CONFIG_PATH": str(described.parent)}).split()
+    assert must("pkg-config", "--modversion", "splinecore", env={"PKG_CONFIG_PATH": str(described.parent)}).strip() == version_of_cmake()
+    must("c++", "-std=c++20", EXAMPLES / "cpp/bottle.cpp", "-o", tmp_path / "bottle", *flags,
+         f"-Wl,-rpath,{described.parents[1]}")
+    require_bottle(tmp_path / "bottle", tmp_path / "bottle.stl")
+
+
+AROUND = """
+cmake_minimum_required(VERSION 3.22)
+project(around LANGUAGES CXX)
+include(FetchContent)
+FetchContent_Declare(splinecore SOURCE_DIR {native})
+FetchContent_MakeAvailable(splinecore)
+add_executable(bottle {example})
+target_link_libraries(bottle PRIVATE splinecore::splinecore)
+get_target_property(kind splinecore TYPE)
+message(STATUS "splinecore is a ${{kind}}")
+"""
+
+
+@needs_cmake
+@pytest.mark.parametrize("more, kind", [([], "SHARED_LIBRARY"), (["-DBUILD_SHARED_LIBS=OFF"], "STATIC_LIBRARY")])
+def test_as_a_part_of_another_project_it_is_the_library_alone(more, kind, tmp_path):
+    (tmp_path / "CMakeLists.txt").write_text(AROUND.format(native=NATIVE, example=EXAMPLES / "cpp/bottle.cpp"))
+    said = must("cmake", "-S", tmp_path, "-B", tmp_path / "build", *more)
+    cache = (tmp_path / "build/CMakeCache.txt").read_text()
+    assert f"splinecore is a {kind}" in said and "pybind11_DIR" not in cache and "Python_EXECUTABLE" not in cache
+    must("cmake", "--install", tmp_path / "build", "--prefix", tmp_path / "prefix")
+    assert not list((tmp_path / "prefix").glob("**/*.hpp")), "nothing of it is installed with the project"
 
 
 @needs_cmake

@@ -446,6 +446,26 @@ def test_corners_are_rounded_first_and_then_the_rims():
             rounding.rounded([first.patches], "", 0.35, 1e-5)
 
 
+def test_corners_of_curved_walls_say_what_works_and_that_does():
+    """Half a disc, extruded: its upright edges first, then both rims."""
+    arc = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 2, 2, 2], [(2, 0, 0), (2, 2, 0), (0, 2, 0), (-2, 2, 0), (-2, 0, 0)],
+                        [1, math.sqrt(0.5), 1, math.sqrt(0.5), 1])
+    chord = sc.NurbsCurve(1, [0, 0, 1, 1], [(-2, 0, 0), (2, 0, 0)])
+    patches = capped(build.join_curves([arc, chord], 1e-9)[0], 0, 0, 1.5)
+    with pytest.raises(failures.Refusal, match="the corner of edges .* round one of them first, then the others with a smaller radius"):
+        rounding.rounded([patches], "", 0.1, 1e-6)
+    body = rounding.body_between([patches])
+    upright = [edge.number for edge in body.edges if np.ptp(_ends_of(body, edge)[:, 2]) > 0.5]
+    first = rounding.rounded([patches], " ".join(map(str, upright)), 0.1, 1e-6)
+    second = rounding.rounded([first.patches], "", 0.05, 1e-6)
+    assert first.count == second.count == 2 and max(first.error, second.error) < 1e-12
+    require_smooth(require_closed(second.patches), lambda _: True)
+
+
+def _ends_of(body, edge):
+    return body.corners[[edge.pairs[0][0].start, edge.pairs[-1][0].end]]
+
+
 @pytest.mark.parametrize("seed, share", [(31, 0.8760990821436997), (48, 0.8518831583658625)])
 def test_arcs_that_go_on_beyond_their_ends_keep_their_digits(seed, share):
     """Beside the ends of an edge patches go on for the ball: an arc that does has huge points, which cancel."""

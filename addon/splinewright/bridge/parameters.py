@@ -41,8 +41,8 @@ def _are_one(value, shown):
     return np.float32(value) == np.float32(shown) if isinstance(value, float) else value == shown
 
 
-def show(data, recipe, values, frames=()):
-    """Let the properties of a data-block show these values, and the object that gives the place, if any."""
+def show(data, recipe, values, frames=(), count=0):
+    """Let the properties of a data-block show these values, the object that gives the place, if any, and a list of so many rows."""
     group = of(data)
     with settings.quiet(data):
         for parameter in recipe.parameters:
@@ -52,8 +52,16 @@ def show(data, recipe, values, frames=()):
         frame = frames[0] if frames else None
         if group.frame != frame:
             group.frame = frame
+        while len(group.inputs) < count:
+            group.inputs.add()
+        while len(group.inputs) > count:
+            group.inputs.remove(count)
+        if group.active_input >= count > 0:
+            group.active_input = count - 1
 
 
-def are_shown(data, recipe):
-    """Whether show() ever was called for a data-block. It was not in older files."""
-    return all(of(data).is_property_set(name_of(recipe, parameter)) for parameter in recipe.parameters)
+def are_shown(data, recipe, count):
+    """Whether show() ever was called for a data-block that is made from so many objects. It was not in older files."""
+    group = of(data)
+    return (len(group.inputs) == (count if recipe.has_more else 0)
+            and all(group.is_property_set(name_of(recipe, parameter)) for parameter in recipe.parameters))

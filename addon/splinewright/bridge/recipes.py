@@ -260,6 +260,13 @@ def read_inputs(data):
     return list(stored.sources) if stored else []
 
 
+def input_at(data, index):
+    """(an object that a shape is made from, or None for one that was deleted; whether it is turned), without reading the recipe."""
+    group = data[KEY]
+    source = group.get(_of(_INPUT, index))
+    return (source if isinstance(source, bpy.types.Object) else None), bool(group.get(_of(_TURNED, index), False))
+
+
 def around(data):
     """(n, 3): the points around which curves that may run far are shown; None where they are shown as they are."""
     stored = read(data)
@@ -280,7 +287,7 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     group[_NAMES] = "\n".join(ob.name if ob else "" for ob in (*sources, *frames))
     store.assign(data, KEY, group)
-    _show(data, recipe, values, frames)
+    _show(data, recipe, values, frames, len(sources))
     watch(data)
 
 
@@ -312,7 +319,7 @@ def show_new(blocks):
     """show() for those of the data-blocks that have a recipe and never were shown: they are of older files."""
     for data in blocks:
         recipe = RECIPES.get(kind(data)) if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) else None
-        if recipe and not properties.are_shown(data, recipe):
+        if recipe and not properties.are_shown(data, recipe, len(_input_keys(data[KEY]))):
             show(data)
 
 
@@ -321,8 +328,8 @@ def show(data):
     with contextlib.suppress(store.UnreadableDefinition):
         stored = read(data)
         if stored:
-            _show(data, stored.recipe, stored.values, stored.frames)
+            _show(data, stored.recipe, stored.values, stored.frames, len(stored.sources))
 
 
-def _show(data, recipe, values, frames):
-    properties.show(data, recipe, values, frames if recipe.frame else ())
+def _show(data, recipe, values, frames, count):
+    properties.show(data, recipe, values, frames if recipe.frame else (), count if recipe.has_more else 0)

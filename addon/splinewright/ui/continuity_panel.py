@@ -9,7 +9,7 @@ from ..bridge.net import live, net_object
 from ..core import continuity, held_joints, parameters
 from ..core.held import can_hold, why_not
 from . import colors, hand, texts
-from .sub_panel import SubPanel
+from .sub_panel import ClosedPanel
 
 #: Gaps, angles in degrees and differences of curvatures below it are none.
 _ROUNDING = 1e-9
@@ -17,9 +17,10 @@ _ROUNDING = 1e-9
 _SHORT = 14
 
 
-class SPLINEWRIGHT_PT_continuity(SubPanel, bpy.types.Panel):
+class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_continuity"
     bl_label = "Continuity"
+    bl_order = 5
 
     @classmethod
     def poll(cls, context):

@@ -6,15 +6,16 @@ from ..bridge import replacing, store
 from ..core import definition as definitions
 from ..core import formulas
 from . import texts
-from .sub_panel import SubPanel
+from .sub_panel import ClosedPanel
 
 #: Curves with more control points than this are no conic that one would call so.
 _MOST_POINTS = 16
 
 
-class SPLINEWRIGHT_PT_formulas(SubPanel, bpy.types.Panel):
+class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_formulas"
     bl_label = "Formulas"
+    bl_order = 8
 
     @classmethod
     def poll(cls, context):

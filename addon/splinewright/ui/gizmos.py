@@ -1,4 +1,4 @@
-"""What is taken hold of in the 3D view: where a knot would lie, a dial around the selected points for their weights,
+"""What is taken hold of in the 3D view: what a tool would click, a dial around the selected points for their weights,
 and the knot strip."""
 
 import bpy
@@ -8,14 +8,36 @@ from mathutils import Matrix, Vector
 from ..bridge import sights
 from ..bridge.file_state import state
 from ..bridge.net import live, weighing
-from . import aim_overlay, editing, hints, keymaps, knot_strip, toolbar
-from .operators import insert_here, move_knot, weight_here
+from . import aim_overlay, editing, hand, hints, keymaps, knot_strip, numbers_overlay, toolbar
+from .operators import at_sides, insert_here, move_knot, weight_here
 
 _DIAL = 0.28
 
 
+def _knot(context, x, y, direction, dimensions=(1, 2)):
+    return insert_here.aimed_by_tool(context, x, y, direction, dimensions=dimensions)
+
+
+def _isocurve(context, x, y, direction):
+    return _knot(context, x, y, direction, (2,))
+
+
+def _place_on_curve(context, x, y, direction):
+    return _knot(context, x, y, direction, (1,))
+
+
+def _side(context, x, y, _):
+    found = at_sides.side_at(context, x, y, at_sides.patches_of(context.selected_objects))
+    return found and ((found[0].name, *found[1:]),)
+
+
+#: For tools with such a preview: what is found at a pixel of the window, and how that is drawn.
+_PREVIEWS = {'knot': (_knot, aim_overlay.show), 'isocurve': (_isocurve, aim_overlay.show),
+             'curve': (_place_on_curve, aim_overlay.show), 'side': (_side, numbers_overlay.show_sides)}
+
+
 class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
-    """The knot at the mouse. It is never hit: clicks are the tool's."""
+    """What a click of a tool would take, at the mouse. It is never hit: clicks are the tool's."""
 
     bl_idname = "SPLINEWRIGHT_GT_aim"
     __slots__ = ('aim',)
@@ -24,28 +46,35 @@ class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
         self.aim = None
 
     def test_select(self, context, location):
+        tool = toolbar.active(context)
+        if tool is None or not tool.preview:
+            return -1
         x, y = context.region.x + location[0], context.region.y + location[1]
-        aim = insert_here.aimed_by_tool(context, x, y, toolbar.settings(context, "insert_knot").direction)
+        direction = getattr(toolbar.settings(context, tool), 'direction', 'U')
+        found = _PREVIEWS[tool.preview][0](context, x, y, direction)
+        aim = (tool.preview, found) if found else None
         if aim != self.aim:
             self.aim = aim
             context.area.tag_redraw()
         return -1
 
     def draw(self, context):
-        if state.aimed is None:         # which is drawn by others
-            aim_overlay.show(self.aim)
+        tool = toolbar.active(context)
+        if self.aim and tool and tool.preview == self.aim[0] and not (state.aimed or state.sides):   # which others draw
+            _PREVIEWS[self.aim[0]][1](self.aim[1])
 
 
 class SPLINEWRIGHT_GGT_aim(bpy.types.GizmoGroup):
     bl_idname = "SPLINEWRIGHT_GGT_aim"
-    bl_label = "Knot at the Mouse"
+    bl_label = "Preview at the Mouse"
     bl_space_type = 'VIEW_3D'
     bl_region_type = 'WINDOW'
     bl_options = {'3D', 'PERSISTENT'}
 
     @classmethod
     def poll(cls, context):
-        return toolbar.is_active(context, "insert_knot") and insert_here.is_possible(context)
+        tool = toolbar.active(context)
+        return bool(tool and tool.preview and hand.shapes(context))
 
     def setup(self, context):
         self.gizmos.new(SPLINEWRIGHT_GT_aim.bl_idname)

@@ -100,6 +100,7 @@ def loaded(*_):
     messages.take_back()
     forget()
     undone()
+    hints.follow_tools()
     recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
     state.is_scanned, state.was_undone = True, False
 

@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge import sights, versions
 from ..bridge.file_state import state
-from . import editing, keymaps, preferences, stopped
+from . import editing, keymaps, preferences, stopped, toolbar
 
 _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
@@ -13,6 +13,8 @@ _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert 
           "splinewright.pull_here": "Pull Shape", "splinewright.radius_here": "Radius", "splinewright.tilt_here": "Tilt",
           "splinewright.key_points": "Key Points",
           "splinewright.pie": "Pie Menu"}
+#: Of what is told by Blender's message bus.
+_owner = object()
 _WORDS_ON_STRIP = {"splinewright.insert_on_strip": "twice: Insert Knot", "splinewright.remove_on_strip": "Remove Knot"}
 
 
@@ -22,9 +24,11 @@ def said(context):
         return []
     if state.pointed_knot and sights.of(context.scene).strip:
         return _on_strip(is_at_knot=state.pointed_knot.mark is not None)
+    tool = toolbar.active(context)
+    keys = [(list(icons), words) for icons, words in tool.keys] if tool else []
     if not editing.nets_in_edit_mode(context):
-        return []
-    return _known(_WORDS, 'Curve' if context.mode == 'EDIT_CURVE' else 'Mesh', 'Object Non-modal')
+        return keys
+    return keys + _known(_WORDS, 'Curve' if context.mode == 'EDIT_CURVE' else 'Mesh', 'Object Non-modal')
 
 
 def _on_strip(is_at_knot):
@@ -45,6 +49,12 @@ def redraw(context):
     for window in context.window_manager.windows:
         if not _is_busy(window):        # a gesture says what its keys do
             window.workspace.status_text_set(state.status or None)
+
+
+def follow_tools():
+    """Have the status bar drawn anew where another tool is chosen. Blender forgets this when a file is opened."""
+    bpy.msgbus.clear_by_owner(_owner)
+    bpy.msgbus.subscribe_rna(key=(bpy.types.WorkSpace, 'tools'), owner=_owner, args=(), notify=lambda: redraw(bpy.context))
 
 
 def say_stopped():
@@ -87,8 +97,10 @@ CLASSES = ()
 
 
 def register():
+    follow_tools()
     bpy.types.STATUSBAR_HT_header.prepend(_draw)
 
 
 def unregister():
+    bpy.msgbus.clear_by_owner(_owner)
     bpy.types.STATUSBAR_HT_header.remove(_draw)

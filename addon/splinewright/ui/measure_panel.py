@@ -1,4 +1,5 @@
-"""What the active shape measures in the scene, and at a place of one of its curves or patches, in the sidebar."""
+"""What the active shape measures in the scene, and, folded, where it lies and what it is at a place of one of its curves or
+patches, in the sidebar."""
 
 import bpy
 import numpy as np
@@ -8,7 +9,7 @@ from ..bridge.net import net_object
 from ..core import decimals, measured
 from ..core.failures import FAILURES, sentence
 from . import hand, texts
-from .sub_panel import SubPanel
+from .sub_panel import ClosedPanel
 
 #: While a net is edited shapes of more points are measured when it is left.
 _MOST_WHILE_EDITED = 2000
@@ -17,10 +18,7 @@ _DIGITS = 7
 _SOON, _SOON_WHILE_EDITED = 0.1, 0.02
 
 
-class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
-    bl_idname = "SPLINEWRIGHT_PT_measure"
-    bl_label = "Measure"
-
+class _Measuring(ClosedPanel):
     @classmethod
     def poll(cls, context):
         return hand.shape_of(context.object) is not None
@@ -34,42 +32,66 @@ class SPLINEWRIGHT_PT_measure(SubPanel, bpy.types.Panel):
                 texts.draw_note(self.layout, "So many points are measured when the net is left")
                 return
             matrix, seconds = np.array(ob.matrix_world, dtype=np.float64), _SOON_WHILE_EDITED if is_edited else _SOON
-            _draw_whole(self.layout, surveys.whole_soon(ob.data, matrix, seconds))
-            _draw_place(self.layout, ob.data, matrix, len(definition.pieces), seconds)
+            self.draw_measured(self.layout, ob.data, matrix, definition, seconds)
         except store.UnreadableDefinition:
             return                      # the panel above says it
         except FAILURES as error:
             texts.draw_note(self.layout, sentence(error))
 
 
-def _draw_whole(layout, whole):
-    if whole is None:
-        layout.operator("splinewright.measure_whole", icon='DRIVER_DISTANCE')
-        return
-    for problem in whole.problems:
-        texts.draw_note(layout, problem)
-    column = layout.column(align=True)
-    for name, number in (("Length", whole.length), ("Area", whole.area), ("Volume", whole.volume)):
-        if number is not None:
-            _draw_row(column, name, number)
-    if whole.box is not None:
-        _draw_row(column, "Size", whole.box[1] - whole.box[0])
-        _draw_row(column, "From", whole.box[0])
-        _draw_row(column, "To", whole.box[1])
+class SPLINEWRIGHT_PT_measure(_Measuring, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_measure"
+    bl_label = "Measure"
+    bl_order = 6
+
+    @staticmethod
+    def draw_measured(layout, data, matrix, _definition, seconds):
+        whole = surveys.whole_soon(data, matrix, seconds)
+        if whole is None:
+            layout.operator("splinewright.measure_whole", icon='DRIVER_DISTANCE')
+            return
+        for problem in whole.problems:
+            texts.draw_note(layout, problem)
+        column = layout.column(align=True)
+        for name, number in (("Length", whole.length), ("Area", whole.area), ("Volume", whole.volume)):
+            if number is not None:
+                _draw_row(column, name, number)
+        if whole.box is not None:
+            _draw_row(column, "Size", whole.box[1] - whole.box[0])
 
 
-def _draw_place(layout, data, matrix, count, seconds):
-    chosen = data.splinewright
-    if count > 1:
-        layout.prop(chosen, "piece")
-    layout.operator("splinewright.measure_here", icon='EYEDROPPER')
-    number = min(max(chosen.piece, 1), count) - 1
-    layout.prop(chosen, "measure_u", slider=True)
-    if isinstance(data, bpy.types.Mesh):
-        layout.prop(chosen, "measure_v", slider=True)
-    column = layout.column(align=True)
-    for name, value in surveys.place_of(data, matrix, number, (chosen.measure_u, chosen.measure_v), seconds):
-        _draw_row(column, name, value)
+class SPLINEWRIGHT_PT_measure_place(_Measuring, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_measure_place"
+    bl_label = "At a Place"
+    bl_parent_id = "SPLINEWRIGHT_PT_measure"
+
+    @staticmethod
+    def draw_measured(layout, data, matrix, definition, seconds):
+        chosen, count = data.splinewright, len(definition.pieces)
+        layout.operator("splinewright.measure_here", icon='EYEDROPPER')
+        if count > 1:
+            layout.prop(chosen, "piece")
+        layout.prop(chosen, "measure_u", slider=True)
+        if isinstance(data, bpy.types.Mesh):
+            layout.prop(chosen, "measure_v", slider=True)
+        number = min(max(chosen.piece, 1), count) - 1
+        column = layout.column(align=True)
+        for name, value in surveys.place_of(data, matrix, number, (chosen.measure_u, chosen.measure_v), seconds):
+            _draw_row(column, name, value)
+
+
+class SPLINEWRIGHT_PT_measure_box(_Measuring, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_measure_box"
+    bl_label = "Bounding Box"
+    bl_parent_id = "SPLINEWRIGHT_PT_measure"
+
+    @staticmethod
+    def draw_measured(layout, data, matrix, _definition, seconds):
+        whole = surveys.whole_soon(data, matrix, seconds)
+        if whole is not None and whole.box is not None:
+            column = layout.column(align=True)
+            for name, corner in zip(("From", "To"), whole.box):
+                _draw_row(column, name, corner)
 
 
 def _draw_row(column, name, value):
@@ -81,4 +103,4 @@ def _draw_row(column, name, value):
         row.label(text=decimals.text_of(number, _DIGITS))
 
 
-CLASSES = (SPLINEWRIGHT_PT_measure,)
+CLASSES = (SPLINEWRIGHT_PT_measure, SPLINEWRIGHT_PT_measure_place, SPLINEWRIGHT_PT_measure_box)

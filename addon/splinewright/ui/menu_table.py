@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from . import kinds
 from .operators.show_sights import SIGHTS
+from .tool_table import TOOLS
 
 CURVE, PATCH, NATIVE, BAKED = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked'))
 SHAPES, FOLLOWED = kinds.SHAPES, kinds.FOLLOWED
@@ -53,6 +54,11 @@ def _made(concerns, *kinds_and_icons):
     return tuple(Entry(f"add_{kind}", concerns, icon) for kind, icon in kinds_and_icons)
 
 
+def _tools(concerns, *names):
+    """Entries that choose tools of the toolbar, so that F3 finds them."""
+    return tuple(Entry('use_tool', concerns, text=TOOLS[name].label, settings=(('tool', name),)) for name in names)
+
+
 def _from_numbers(icon, *names):
     return tuple(Entry(f"add_{name}", ANY, icon) for name in names)
 
@@ -75,11 +81,6 @@ CORNERS = Menu('corners', "Trim and Corners", (
 PIECES = Menu('pieces', "Join and Separate", (
     *_others(SHAPES, 'join'), *_verbs(CURVE, 'join_ends', 'join_pieces', 'join_curves'), *_verbs(PATCH, 'join_patches'), None,
     *_others(SHAPES, 'separate_pieces', 'delete_pieces', 'explode')), 'AUTOMERGE_ON')
-BY_CLICK = Menu('by_click', "By Click", (
-    *_others(SHAPES, 'insert_here', 'split_here', 'pull_here'), None,
-    *_others(CURVE, 'trim_here', 'extend_here', 'fillet_here', 'chamfer_here'),
-    *_others(PATCH, 'join_here', 'extract_here', 'extract_side_here', 'round_here'), None,
-    *_others(SHAPES, 'measure_here', 'pick_piece')), 'EYEDROPPER')
 CONVERT = Menu('convert', "Convert", (
     *_others(kinds.INEXACT, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
     'FILE_REFRESH')
@@ -113,13 +114,21 @@ TEACHING = Menu('teaching', "Teaching", (
 SHOW = Menu('show', "Show", tuple(Entry('show_sight', text=sight.label, settings=(('sight', name),)) for name, sight in SIGHTS.items()),
             'OVERLAY')
 
+OBJECT_TOOLS = Menu('object_tools', "Tools", (
+    *_tools(SHAPES, 'insert_knot', 'split'), *_tools(PATCH, 'isocurve', 'edge'), None,
+    *_tools(CURVE, 'trim', 'extend', 'fillet', 'chamfer'), *_tools(PATCH, 'round_edges'), None,
+    *_tools(SHAPES, 'pull'), *_tools(PATCH, 'join'), None, *_tools(SHAPES, 'measure', 'pick')), 'TOOL_SETTINGS')
+NET_TOOLS = Menu('net_tools', "Tools", (
+    *_tools(SHAPES, 'insert_knot', 'split', 'pull'), None, *_tools(SHAPES, 'weight'), *_tools(CURVE, 'radius', 'tilt'), None,
+    *_tools(SHAPES, 'measure')), 'TOOL_SETTINGS')
+
 #: In the header and in the context menu, in Object Mode.
 OBJECT = Menu('object', "NURBS", (
-    Entry('edit_net', icon='EDITMODE_HLT'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
+    Entry('edit_net', icon='EDITMODE_HLT'), OBJECT_TOOLS, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     FROM_OBJECTS, FROM_CURVES, FROM_SURFACES, POINTS, None, CONSTRUCTION, ANIMATION, TEACHING, SHOW), 'SURFACE_DATA')
 #: The same while nets are edited.
 NET = Menu('net', "NURBS", (
-    Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), BY_CLICK, None, MODIFY, CORNERS, PIECES, CONVERT, None,
+    Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), NET_TOOLS, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     *_others(SHAPES, 'weight_here'), *_others(CURVE, 'radius_here', 'tilt_here'),
     Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION, SHOW), 'SURFACE_DATA')
 
@@ -163,8 +172,8 @@ def operators_in(menu):
 
 
 def entry_of(operator):
-    """The entry of an operator, of the menus of objects and of nets."""
-    return next(entry for top in (NET, OBJECT) for entry in operators_in(top) if entry.operator == operator)
+    """The entry of an operator, of the menus of objects and of nets; one for shapes where it is a tool's and in no menu."""
+    return next((entry for top in (NET, OBJECT) for entry in operators_in(top) if entry.operator == operator), Entry(operator))
 
 
 #: Each menu once.

@@ -1,11 +1,12 @@
-"""What the panel shows while a net is edited."""
+"""The way out of a net, in the panel of its shape; and its control points, in the sidebar."""
 
 import bpy
 
 from ..bridge import recipes, sights, store
 from ..bridge.net import live, net_object
 from ..core import describe
-from . import hand, handles_panel, net_props, recipe_props, settings_panel, texts
+from . import hand, handles_panel, net_props, texts
+from .sub_panel import SidePanel
 
 #: Pieces whose knots are shown at once.
 _PIECES = 4
@@ -13,32 +14,34 @@ _PIECES = 4
 _IN_COLUMNS = 2
 
 
-def draw(layout, ob):
-    """For a net object, in Edit Mode or kept."""
+class SPLINEWRIGHT_PT_points(SidePanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_points"
+    bl_label = "Control Points"
+    bl_order = 4
+
+    @classmethod
+    def poll(cls, context):
+        ob = context.object
+        return net_object.is_net(ob) and ob.mode == 'EDIT' and hand.shape_of(ob) is not None and live.known_session(ob.data) is not None
+
+    def draw(self, context):
+        ob, owner, layout = context.object, hand.shape_of(context.object), self.layout
+        session, has_recipe = live.known_session(ob.data), recipes.has(owner.data)
+        _draw_points(layout, ob, session, has_weights=not has_recipe)
+        try:
+            handles_panel.draw(layout, ob.data, owner.data, session, net_props.chosen(ob.data)[1])
+            if not has_recipe:
+                _draw_knots(layout, store.read(owner.data), hand.pieces_of_points(ob))
+        except store.UnreadableDefinition as error:
+            texts.draw_problem(layout, str(error))
+
+
+def draw_state(layout, ob):
+    """For a net object, in Edit Mode or kept: the way out of it, or back, and what its shape does not take."""
     owner = net_object.shape_of(ob)
     if owner is None:
         texts.draw_problem(layout, live.problem(ob) or "The shape of this net was deleted, or is in no scene")
         return
-    _draw_state(layout, ob, owner)
-    session = live.known_session(ob.data)
-    if session is None or ob.mode != 'EDIT':
-        return
-    _draw_points(layout, ob, session, has_weights=not recipes.has(owner.data))
-    handles_panel.draw(layout, ob.data, owner.data, session, net_props.chosen(ob.data)[1])
-    try:
-        definition = store.read(owner.data)
-        if recipes.has(owner.data):
-            recipe_props.draw(layout.box(), owner.data, is_net_out=True)
-        else:
-            _draw_knots(layout, definition, hand.pieces_of_points(ob))
-        layout.separator()
-        settings_panel.draw(layout, owner.data, definition, has_buttons=False)
-    except store.UnreadableDefinition as error:
-        texts.draw_problem(layout, str(error))
-
-
-def _draw_state(layout, ob, owner):
-    """The way out of a net, or back into one that was kept, and what its shape does not take."""
     if ob.mode == 'EDIT':
         layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
         layout.prop(sights.of(bpy.context.scene), "points_behind", text="Show Points Behind")
@@ -112,3 +115,6 @@ def _draw_knots(layout, definition, pieces):
             button.piece, button.axis = i + 1, axis or 'U'
     if len(with_knots) > _PIECES:
         layout.label(text=f"Knots of {len(with_knots) - _PIECES} more: select their points")
+
+
+CLASSES = (SPLINEWRIGHT_PT_points,)

@@ -77,7 +77,12 @@ def draw_outline():
     if state.hovered:
         name, number = state.hovered
         _draw_lines(name, lambda data: surveys.outlines_of(data)[number - 1])
-    for name, number, side in state.sides:
+    show_sides(state.sides)
+
+
+def show_sides(sides):
+    """Draw sides of patches, (object's name, number, side) each, into the 3D view at hand."""
+    for name, number, side in sides:
         _draw_lines(name, lambda data: surveys.sides_of(data)[number - 1].get(side, []))
 
 

@@ -1,17 +1,16 @@
-"""The sidebar panel, and the same in the object data properties."""
+"""What a shape is, in the sidebar; and in the object data properties how it is made and shown, too."""
 
 import bpy
 
-from ..bridge import baking, derived, follow, placing, recipes, shape, store
+from ..bridge import baking, recipes, shape, store
 from ..bridge.net import net_object
 from ..core import describe
-from . import manual, net_panel, recipe_props, settings_panel, texts
+from . import construction_panel, manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
+from .sub_panel import SidePanel
 
 
 class _ShapePanel:
-    bl_label = "NURBS Shape"
-
     @staticmethod
     def in_hand(context):
         """(a data-block or None, the object through which it is seen or None)."""
@@ -31,25 +30,16 @@ class _ShapePanel:
     def draw(self, context):
         data, ob = self.in_hand(context)
         if net_object.is_net(ob):
-            net_panel.draw(self.layout, ob)
-            return
-        if baking.is_baked(data):
+            net_panel.draw_state(self.layout, ob)
+        elif baking.is_baked(data):
             self.layout.label(text=f"Baked: frames {baking.frames(data)}", icon='RENDER_ANIMATION')
             if ob is not None:
                 self.layout.operator("splinewright.unbake")
-            return
-        try:
-            definition = store.read(data)
-        except store.UnreadableDefinition as error:
-            texts.draw_problem(self.layout, str(error))
-            return
-        is_active = ob is not None and ob == context.active_object
-        if is_active:
-            _draw_state(self.layout, ob)
         else:
-            _draw_pinned(self.layout, data)
-        _draw_definition(self.layout, definition)
-        settings_panel.draw(self.layout, data, definition, has_buttons=is_active)
+            try:
+                self.draw_shape(self.layout, context, data, ob, store.read(data))
+            except store.UnreadableDefinition as error:
+                texts.draw_problem(self.layout, str(error))
 
 
 def _draw_pinned(layout, data):
@@ -78,7 +68,7 @@ def _draw_state(layout, ob):
         for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
             column.operator("splinewright.leave_result", text=text).how = how
     elif recipes.follows(data):
-        _draw_following(layout, ob)
+        layout.operator("splinewright.edit_source", icon='EDITMODE_HLT')
     elif shape.seems_touched(data):
         texts.draw_problem(layout, "Changed by hand since Splinewright wrote it")
         column = layout.column(align=True)
@@ -87,60 +77,6 @@ def _draw_state(layout, ob):
         column.operator("splinewright.detach")
     else:
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
-        if recipes.has(data):
-            _draw_recipe(layout, data)
-
-
-def _draw_recipe(layout, data):
-    try:
-        recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
-    except store.UnreadableDefinition as error:
-        texts.draw_problem(layout, str(error))
-    layout.operator("splinewright.make_editable")
-
-
-def _names(sources, frames):
-    """What a shape follows, in words; of many objects how many."""
-    names = [source.name for source in sources if source]
-    count = len(frames) if not sources else len(names) if len(sources) > 2 else 0
-    return f"{count} objects" if count else " and ".join(names)
-
-
-def _draw_moving(layout, ob):
-    is_free = placing.moves_freely(ob.data)
-    row = layout.row(align=True)
-    for how, text, is_so in (('FREELY', "Moves Freely", is_free), ('WITH_INPUTS', "Stays on Inputs", not is_free)):
-        row.operator("splinewright.set_moving", text=text, depress=is_so).how = how
-    if placing.is_away(ob.data, ob):
-        texts.draw_note(layout, "Moved away from its inputs")
-
-
-def _draw_following(layout, ob):
-    data = ob.data
-    try:
-        sources, frames = recipes.read_inputs(data), recipes.frames(data)
-        recipe_props.draw(layout.box() if recipes.of(data).parameters else layout, data)
-    except store.UnreadableDefinition as error:
-        texts.draw_problem(layout, str(error))
-        layout.operator("splinewright.make_editable")
-        return
-    row = layout.row()
-    texts.draw_note(row, f"Follows {_names(sources, frames) or 'nothing any more'}", icon='LINKED')
-    are_hidden = all(source is None or source.hide_get() for source in sources)
-    if sources:
-        row.operator("splinewright.show_inputs", text="", icon='HIDE_ON' if are_hidden else 'HIDE_OFF').how = (
-            'SHOW' if are_hidden else 'HIDE')
-    problem = follow.problem(data)
-    if problem:
-        texts.draw_problem(layout, problem)
-    else:
-        for text in derived.not_followed_by(data, sources):
-            texts.draw_note(layout, f"Not followed: {text}")
-    _draw_moving(layout, ob)
-    column = layout.column(align=True)
-    column.operator("splinewright.edit_source", icon='EDITMODE_HLT')
-    column.operator("splinewright.make_editable")
-    column.operator("splinewright.bake_animation")
 
 
 def _draw_definition(layout, definition):
@@ -151,19 +87,22 @@ def _draw_definition(layout, definition):
         lines = row.column(align=True)
         for line in texts.lines(text):
             lines.label(text=line)
-    layout.separator()
 
 
-class SPLINEWRIGHT_PT_shape(_ShapePanel, bpy.types.Panel):
+class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_shape"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = "NURBS"
+    bl_label = "Shape"
     bl_order = 1
+
+    @staticmethod
+    def draw_shape(layout, _context, _data, ob, definition):
+        _draw_state(layout, ob)
+        _draw_definition(layout, definition)
 
 
 class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_data"
+    bl_label = "NURBS Shape"
     bl_space_type = 'PROPERTIES'
     bl_region_type = 'WINDOW'
     bl_context = "data"
@@ -175,6 +114,19 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
         ob = context.object
         data = getattr(context, 'mesh', None) or getattr(context, 'curve', None) or (ob.data if ob else None)
         return data, ob if ob is not None and ob.data == data else None
+
+    @staticmethod
+    def draw_shape(layout, context, data, ob, definition):
+        is_active = ob is not None and ob == context.active_object
+        if is_active:
+            _draw_state(layout, ob)
+            if construction_panel.is_shown(ob):
+                construction_panel.draw(layout, ob)
+        else:
+            _draw_pinned(layout, data)
+        _draw_definition(layout, definition)
+        layout.separator()
+        settings_panel.draw(layout, data, definition, has_buttons=is_active)
 
 
 CLASSES = (SPLINEWRIGHT_PT_shape, SPLINEWRIGHT_PT_data)

@@ -70,6 +70,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
             _draw_help(layout)
             return
         layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
+        _draw_start(layout)
         _draw_help(layout)
         self._draw_new_shapes(_section(layout, "New Shapes"))
         _section(layout, "Nets").prop(self, "show_hints")
@@ -99,6 +100,16 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
         column.separator()
         for name in ("color_gap", "color_edge", "color_g1", "color_g2"):
             column.prop(self, name)
+
+
+def _draw_start(layout):
+    """How to begin."""
+    box = layout.box()
+    box.label(text="Get started: the tab NURBS of the sidebar (N) in the 3D view, Shift+A > Curve or Surface > NURBS")
+    row = box.row()
+    row.operator(manual.SPLINEWRIGHT_OT_manual.bl_idname, text="First Steps", icon='PLAY').page = "five-minutes.html"
+    row.operator_menu_enum("splinewright.add_sample", "sample", icon='SCENE_DATA')
+    row.operator("splinewright.add_asset_library", icon='ASSET_MANAGER')
 
 
 def _draw_help(layout):

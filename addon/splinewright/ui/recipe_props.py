@@ -7,7 +7,7 @@ from functools import partial
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge import follow, keyed, parameters, problems, recipes, remaking, settings
 from ..core import decimals
@@ -114,6 +114,10 @@ def _change_points(data, points, first, last, length):
         problems.tell(data, problems.SETTING, sentence(error))
 
 
+class SplinewrightInput(bpy.types.PropertyGroup):
+    """A row of the list of what a surface is made from. What counts is the recipe."""
+
+
 class SplinewrightRecipe(bpy.types.PropertyGroup):
     """Parameters of the recipe that makes a shape."""
 
@@ -122,6 +126,8 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
            for recipe in RECIPES.values() for parameter in recipe.parameters},
         **{_length_name(recipe, i): _length_property(recipe, *length)
            for recipe in RECIPES.values() for i, length in enumerate(recipe.lengths)},
+        'inputs': CollectionProperty(type=SplinewrightInput, options=set()),
+        'active_input': IntProperty(name="Active", description="The row that buttons beside the list move or remove", min=0, options=set()),
         'frame': PointerProperty(type=bpy.types.Object, name="About", update=_change_frame,
                                  description="Its place and axes count in place of the shape's own; the shape follows it")}
 
@@ -161,7 +167,7 @@ def draw(layout, data, is_net_out=False):
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
     if recipe.has_more:
-        inputs_list.draw(layout, stored)
+        inputs_list.draw(layout, data, recipe)
     if stored.error:
         texts.draw_note(layout, f"Within {stored.error:.1e} of what is asked for")
     if stored.said:
@@ -170,7 +176,7 @@ def draw(layout, data, is_net_out=False):
         texts.draw_note(layout, stored.warning, icon='ERROR')
 
 
-CLASSES = (SplinewrightRecipe,)
+CLASSES = (SplinewrightInput, SplinewrightRecipe)
 
 
 def register():

@@ -1,11 +1,27 @@
-"""How finely a shape is shown, in panels."""
+"""How finely a shape is shown, in the sidebar and in the object data properties."""
 
 import contextlib
 
 import bpy
 
 from ..bridge import fineness, keyed, problems, recipes, store
-from . import texts
+from . import hand, texts
+from .sub_panel import SidePanel
+
+
+class SPLINEWRIGHT_PT_display(SidePanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_display"
+    bl_label = "Display"
+    bl_order = 3
+
+    @classmethod
+    def poll(cls, context):
+        return hand.shape_of(context.object) is not None
+
+    def draw(self, context):
+        data = hand.shape_of(context.object).data
+        with contextlib.suppress(store.UnreadableDefinition):       # the panel of the shape says it
+            draw(self.layout, data, store.read(data), has_buttons=hand.shape_of(context.object) == context.object)
 
 
 def draw(layout, data, definition, has_buttons=True):
@@ -67,3 +83,6 @@ def _faces(data):
     """Of a Mesh, and how many there were before."""
     before, now = data.splinewright.faces_before, len(data.polygons)
     return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"
+
+
+CLASSES = (SPLINEWRIGHT_PT_display,)

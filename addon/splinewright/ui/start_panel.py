@@ -3,6 +3,7 @@
 import bpy
 
 from . import editing, kinds, menu_table, menus, offered, texts
+from .operators import add_sample
 
 #: Labels and operators by what is selected.
 _NATIVE = ("Exact", ('make_exact', 'follow_object'))
@@ -40,6 +41,16 @@ def groups(obs, active):
     return made
 
 
+def menus_for(obs):
+    """Pairs of a text and a menu: all that can be made of the selected objects."""
+    found = {kinds.of(ob) for ob in obs}
+    curves = any(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
+    surfaces = 'patch' in found or any(ob.type == 'SURFACE' for ob in obs)
+    made = [("Curve from Objects", menu_table.FROM_OBJECTS)] if curves or surfaces else []
+    made += [("Surface from Curves", menu_table.FROM_CURVES)] if curves else []
+    return made + ([("Surface from Surfaces", menu_table.FROM_SURFACES)] if surfaces else [])
+
+
 class SPLINEWRIGHT_PT_start(bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_start"
     bl_label = "Make"
@@ -59,9 +70,16 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
             return
         layout.operator_context = 'INVOKE_REGION_WIN'
         made = groups(context.selected_objects, context.object)
+        more = menus_for(context.selected_objects)
         _draw_groups(layout, made)
-        if not made:
-            _draw_add(layout)
+        if more:
+            _draw_menus(layout.column(align=True), more)
+        elif not made:
+            layout.label(text="Add")
+            _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
+            layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
+            add_sample.draw(layout)
+            layout.operator("splinewright.manual", text="First Steps", icon='HELP').page = "five-minutes.html"
 
 
 def _draw_groups(layout, made):
@@ -73,13 +91,9 @@ def _draw_groups(layout, made):
             column.operator(f"splinewright.{name}", text=offered.text_of(name))
 
 
-def _draw_add(layout):
-    row = layout.split(factor=0.3)
-    row.label(text="Add")
-    column = row.column(align=True)
-    menus.draw_link(column, menu_table.ADD_CURVE, text="Curve")
-    menus.draw_link(column, menu_table.ADD_SURFACE, text="Surface")
-    column.operator("splinewright.import_json", text="Import", icon='IMPORT')
+def _draw_menus(column, linked):
+    for text, menu in linked:
+        menus.draw_link(column, menu, text=text)
 
 
 CLASSES = (SPLINEWRIGHT_PT_start,)

@@ -1,4 +1,4 @@
-"""The command line: python -m splinecore info|convert|tessellate|compare; --help of each tells the rest.
+"""The command line: splinecore info|convert|tessellate|compare; --help of each tells the rest.
 
 Exit codes: 0 done, or the same; 1 the files differ; 2 a call or a file that is wrong; 130 interrupted.
 """
@@ -17,7 +17,6 @@ from . import (
     NurbsPatch,
     PatchSet,
     PowerCurve,
-    Tessellation,
     __instruction_set__,
     __version__,
     bpt,
@@ -75,14 +74,19 @@ def write(path, data):
 
 def info(args):
     """What files hold."""
-    progress = Progress(len(args.files), args.progress)
+    progress, code = Progress(len(args.files), args.progress), 0
     for path in args.files:
-        values = read(path)
+        try:
+            values = read(path)
+        except Refused as refused:
+            print(f"splinecore: {refused}", file=sys.stderr)
+            values, code = None, 2
         progress.step()
-        print(f"{path}: {len(values)} {'shape' if len(values) == 1 else 'shapes'}")
-        for i, value in enumerate(values):
-            print(f"  {i}: {describe(value)}")
-    return 0
+        if values is not None:
+            print(f"{path}: {len(values)} {'shape' if len(values) == 1 else 'shapes'}")
+            for i, value in enumerate(values):
+                print(f"  {i}: {describe(value)}")
+    return code
 
 
 def describe(value):
@@ -172,8 +176,7 @@ def tessellate(args):
     ending = Path(args.output).suffix.lower()
     if ending == ".stl" and lines:
         raise Refused(f"{args.input} holds curves: STL holds triangles alone")
-    write(args.output, {".obj": meshes.obj, ".ply": meshes.ply}[ending](found, lines) if ending != ".stl"
-          else meshes.stl(found))
+    write(args.output, meshes.stl(found) if ending == ".stl" else getattr(meshes, ending[1:])(found, lines))
     faces = sum(len(mesh[2]) - 1 for mesh in found)
     vertices = sum(len(part[0]) for part in (*found, *lines))
     print(f"{args.output}: {vertices} vertices, {faces} faces, {len(lines)} lines")
@@ -181,22 +184,17 @@ def tessellate(args):
 
 
 def require_fineness(args):
-    """@raises Refused for a number that is none of parts."""
+    """Raises Refused for a number that is none of parts, and for two kinds of fineness."""
     if args.resolution is not None and args.resolution < 1:
         raise Refused(f"resolution = {args.resolution} is not 1 or more")
+    if args.resolution is not None and (args.tolerance is not None or args.angle is not None):
+        raise Refused("--resolution counts faces, --tolerance and --angle measure them: give one or the others")
 
 
 def mesh_of(value, args):
     """Positions, normals, face starts and vertices of corners."""
-    patches = value if isinstance(value, PatchSet) else PatchSet.from_patches([value])
-    if args.tolerance is not None or args.angle is not None:
-        angle = None if args.angle is None else float(np.radians(args.angle))
-        tessellation = Tessellation.adaptive(patches, tolerance=args.tolerance, angle=angle)
-    else:
-        tessellation = Tessellation(patches, args.resolution or 8)
-    positions, normals = tessellation.evaluate(patches)
-    corners = tessellation.corner_vertices
-    return positions, normals, np.append(tessellation.face_starts, np.int32(len(corners))), corners
+    angle = None if args.angle is None else float(np.radians(args.angle))
+    return meshes.mesh(value, resolution=args.resolution, tolerance=args.tolerance, angle=angle)
 
 
 def compare(args):
@@ -245,7 +243,7 @@ def distance_of(a, b, count=64):
 
 def parser():
     """What can be called."""
-    made = argparse.ArgumentParser(prog="python -m splinecore", description="Exact curves and surfaces in files.",
+    made = argparse.ArgumentParser(prog="splinecore", description="Exact curves and surfaces in files.",
                                    epilog="Exit codes: 0 done or the same, 1 different, 2 wrong call or file.")
     made.add_argument("--version", action="version", version=f"splinecore {__version__} ({__instruction_set__})")
     verbs = made.add_subparsers(dest="verb", required=True)
@@ -270,8 +268,8 @@ def parser():
 
 
 def require_endings(args):
-    """@raises Refused for files of a kind that is not read or written."""
-    known = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl")}.get(args.verb, ())
+    """Raises Refused for files of a kind that is not read or written."""
+    known = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl", ".glb")}.get(args.verb, ())
     if known and Path(args.output).suffix.lower() not in known:
         raise Refused(f"{args.output}: {', '.join(known)} can be written")
 

@@ -1,18 +1,96 @@
-"""Meshes and polylines in the files that everything reads: OBJ, PLY (binary) and STL (binary, triangles)."""
+"""Meshes and polylines in the files that everything reads: OBJ, PLY and STL (both binary), and glTF (GLB)."""
+
+import json
+from pathlib import Path
 
 import numpy as np
 
-__all__ = ["obj", "ply", "stl"]
+from ._splinecore import BezierPatch, HermitePatch, InvalidShape, NurbsPatch, PatchSet, Tessellation
+
+__all__ = ["glb", "mesh", "obj", "ply", "save", "stl"]
+
+_PATCHES = (NurbsPatch, BezierPatch, HermitePatch)
+_FACES, _PIECES = 8, 32
+
+
+def mesh(surface, *, resolution=None, tolerance=None, angle=None):
+    """The mesh of a patch or PatchSet, as obj() and the others take it.
+
+    Parameters
+    ----------
+    resolution : int, optional
+        Faces in every span along u and v, 8 where nothing is given.
+    tolerance : float, optional
+        A length: no point of the surface lies farther from the mesh.
+    angle : float, optional
+        Radians: normals on one face are no farther apart. tolerance and angle exclude resolution.
+
+    Returns
+    -------
+    (positions (n, 3) float32, corner normals (c, 3) float32, face starts (f + 1,) int32, vertices of corners (c,) int32)
+    """
+    if resolution is not None and (tolerance is not None or angle is not None):
+        raise InvalidShape("resolution counts faces, tolerance and angle measure them: give one or the others")
+    patches = surface if isinstance(surface, PatchSet) else PatchSet.from_patches([surface])
+    if tolerance is None and angle is None:
+        made = Tessellation(patches, _FACES if resolution is None else resolution)
+    else:
+        made = Tessellation.adaptive(patches, tolerance=tolerance, angle=angle)
+    positions, normals = made.evaluate(patches)
+    return positions, normals, _with_end(made.face_starts, made.corner_vertices), made.corner_vertices
+
+
+def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
+    """Write the meshes of surfaces, and the polylines of curves, to a file: .obj, .ply, .stl or .glb, by its ending.
+
+    shapes: a shape or a list of them. resolution, tolerance, angle: as of mesh(); a curve has `resolution` pieces in every span,
+    32 where none is given. The file is written whole or not at all. Raises InvalidShape for another ending, and for curves in STL.
+    """
+    path = Path(path)
+    ending = path.suffix.lower()
+    if ending not in _WRITERS:
+        raise InvalidShape(f"{path.name}: {', '.join(_WRITERS)} can be written")
+    found, lines = [], []
+    for shape in shapes if isinstance(shapes, (list, tuple)) else [shapes]:
+        if isinstance(shape, (PatchSet, *_PATCHES)):
+            found.append(mesh(shape, resolution=resolution, tolerance=tolerance, angle=angle))
+        else:
+            lines += shape.polylines(_PIECES if resolution is None else resolution)
+    if ending == ".stl" and lines:
+        raise InvalidShape("STL holds triangles alone, no curves")
+    data = stl(found) if ending == ".stl" else _WRITERS[ending](found, lines)
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_bytes(data)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def _with_end(starts, vertices):
+    """Where corners of faces start, and their end, whether that was given or not."""
+    starts = np.asarray(starts, np.int32)
+    end = len(vertices)
+    if len(starts) and starts[-1] == end:
+        return starts
+    if len(starts) and (starts[-1] > end or starts[0] != 0 or np.diff(starts).min(initial=3) < 3):
+        raise InvalidShape(f"face starts are 0 and grow by at least 3 up to the {end} corners; these end with {starts[-1]}")
+    return np.append(starts, np.int32(end))
+
+
+def _whole(meshes):
+    return [(positions, normals, _with_end(starts, vertices), vertices) for positions, normals, starts, vertices in meshes]
 
 
 def obj(meshes, lines=()):
     """The bytes of an OBJ file.
 
     `meshes` are of (positions, normals, starts, vertices): positions (n, 3), one normal for each corner or None, where the
-    corners of each face start and their end, (faces + 1,), and the vertex of each corner. `lines` are of (positions, is_closed).
+    corners of each face start, (faces,), or that and their end, (faces + 1,), and the vertex of each corner. `lines` are of
+    (positions, is_closed).
     """
     parts, before, normals_before = [], 1, 1
-    for positions, normals, starts, vertices in meshes:
+    for positions, normals, starts, vertices in _whole(meshes):
         parts += [f"v {x:.9g} {y:.9g} {z:.9g}\n" for x, y, z in positions.tolist()]
         corners = [str(vertex) for vertex in (vertices + before).tolist()]
         if normals is not None:
@@ -31,6 +109,7 @@ def obj(meshes, lines=()):
 
 def ply(meshes, lines=()):
     """The bytes of a binary PLY file: faces, and edges of the lines; arguments as of obj()."""
+    meshes = _whole(meshes)
     positions = [mesh[0] for mesh in meshes] + [line[0] for line in lines]
     begins = np.cumsum([0, *[len(part) for part in positions]])
     faces = [_ply_faces(mesh[2], mesh[3] + begin) for mesh, begin in zip(meshes, begins)]
@@ -65,7 +144,7 @@ def _edges(count, is_closed):
 def stl(meshes):
     """The bytes of a binary STL file, faces as fans of triangles; `meshes` as of obj()."""
     none = np.empty((0, 3, 3), np.float32)
-    triangles = np.concatenate([none] + [_triangles(np.asarray(mesh[0], np.float32), mesh[2], mesh[3]) for mesh in meshes])
+    triangles = np.concatenate([none] + [_triangles(np.asarray(mesh[0], np.float32), mesh[2], mesh[3]) for mesh in _whole(meshes)])
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     lengths = np.linalg.norm(normals, axis=1, keepdims=True)
     records = np.zeros(len(triangles), np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("rest", "<u2")]))
@@ -75,9 +154,65 @@ def stl(meshes):
 
 
 def _triangles(positions, starts, vertices):
-    counts = np.diff(starts)
-    found = []
+    return positions[_fans(starts, vertices)]
+
+
+def _fans(starts, vertices):
+    """(n, 3): vertices of triangles, each face as a fan about its first corner."""
+    counts, found = np.diff(starts), [np.empty((0, 3), np.int32)]
     for step in range(int(counts.max(initial=2)) - 2):
         at = starts[:-1][counts > step + 2]
-        found.append(vertices[np.stack([at, at + step + 1, at + step + 2], axis=1)])
-    return positions[np.concatenate(found)] if found else np.empty((0, 3, 3), np.float32)
+        found.append(np.asarray(vertices)[np.stack([at, at + step + 1, at + step + 2], axis=1)])
+    return np.concatenate(found)
+
+
+def glb(meshes, lines=()):
+    """The bytes of a binary glTF 2.0 file: faces as fans of triangles, a vertex for each corner that has a normal, and lines."""
+    writer = _Gltf()
+    for positions, normals, starts, vertices in _whole(meshes):
+        corners = np.arange(len(vertices), dtype=np.int32)
+        fans = _fans(starts, corners if normals is not None else np.asarray(vertices))
+        places = positions if normals is None else np.asarray(positions)[vertices]
+        attributes = {"POSITION": writer.vectors(places), **({} if normals is None else {"NORMAL": writer.vectors(normals)})}
+        writer.add(attributes, writer.indices(fans.ravel()), 4)
+    for positions, is_closed in lines:
+        writer.add({"POSITION": writer.vectors(positions)}, writer.indices(_edges(len(positions), is_closed).ravel()), 1)
+    return writer.bytes()
+
+
+class _Gltf:
+    """Collects accessors, one for each array, on one buffer."""
+
+    def __init__(self):
+        self._data, self._views, self._accessors, self._primitives = bytearray(), [], [], []
+
+    def vectors(self, rows):
+        rows = np.asarray(rows, "<f4")
+        ends = {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()} if len(rows) else {}
+        return self._accessor(rows, 5126, "VEC3", 34962, ends)
+
+    def indices(self, numbers):
+        return self._accessor(np.asarray(numbers, "<u4"), 5125, "SCALAR", 34963, {})
+
+    def _accessor(self, rows, component, kind, target, more):
+        self._views.append({"buffer": 0, "byteOffset": len(self._data), "byteLength": rows.nbytes, "target": target})
+        self._accessors.append({"bufferView": len(self._views) - 1, "componentType": component, "count": len(rows), "type": kind, **more})
+        self._data += rows.tobytes()
+        return len(self._accessors) - 1
+
+    def add(self, attributes, indices, mode):
+        if self._accessors[indices]["count"]:
+            self._primitives.append({"attributes": attributes, "indices": indices, "mode": mode})
+
+    def bytes(self):
+        top = {"asset": {"version": "2.0", "generator": "splinecore"}}
+        if self._primitives:
+            top |= {"scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "meshes": [{"primitives": self._primitives}],
+                    "accessors": self._accessors, "bufferViews": self._views, "buffers": [{"byteLength": len(self._data)}]}
+        text = json.dumps(top, separators=(",", ":")).encode()
+        chunks = [(b"JSON", text + b" " * (-len(text) % 4))] + ([(b"BIN\0", bytes(self._data))] if self._primitives else [])
+        body = b"".join(np.uint32(len(data)).astype("<u4").tobytes() + kind + data for kind, data in chunks)
+        return b"glTF" + np.array([2, 12 + len(body)], "<u4").tobytes() + body
+
+
+_WRITERS = {".obj": obj, ".ply": ply, ".stl": stl, ".glb": glb}

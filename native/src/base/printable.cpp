@@ -1,6 +1,8 @@
 #include "printable.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace splinecore {
 
@@ -40,6 +42,12 @@ std::string printable(std::string_view text, std::size_t most) {
     most -= taken;
   }
   return shown;
+}
+
+std::string place_text(const glm::dvec3& p) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "(%.5g, %.5g, %.5g)", p.x, p.y, p.z);
+  return text.data();
 }
 
 }  // namespace splinecore

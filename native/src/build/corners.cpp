@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable.hpp"
 #include "curve_ends.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/fillet.hpp"

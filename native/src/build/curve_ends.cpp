@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -31,12 +30,6 @@ DirectedEnd place_of(const NurbsCurve& curve, double u, Side side) {
 
 DirectedEnd start_of(const NurbsCurve& curve) { return place_of(curve, curve.domain().start, Side::right); }
 DirectedEnd end_of(const NurbsCurve& curve) { return place_of(curve, curve.domain().end, Side::left); }
-
-std::string place_text(const glm::dvec3& p) {
-  std::array<char, 96> text{};
-  std::snprintf(text.data(), text.size(), "(%.5g, %.5g, %.5g)", p.x, p.y, p.z);
-  return text.data();
-}
 
 glm::dvec3 point_at(const NurbsCurve& curve, double u) {
   glm::dvec3 point;

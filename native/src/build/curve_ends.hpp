@@ -3,7 +3,6 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <string>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 
@@ -20,9 +19,6 @@ struct DirectedEnd {
 /// @throws InvalidShape if it stands still there.
 DirectedEnd start_of(const NurbsCurve& curve);
 DirectedEnd end_of(const NurbsCurve& curve);
-
-/// In a few digits: where to look.
-std::string place_text(const glm::dvec3& p);
 
 glm::dvec3 point_at(const NurbsCurve& curve, double u);
 NurbsCurve line_between(const glm::dvec3& a, const glm::dvec3& b);

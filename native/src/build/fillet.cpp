@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/printable.hpp"
 #include "base/sort_by.hpp"
 #include "meet/near_space.hpp"
 #include "beside_both.hpp"

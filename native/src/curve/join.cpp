@@ -82,10 +82,11 @@ NurbsCurve scaled_to_meet(const NurbsCurve& a, const NurbsCurve& b, bool is_scal
   return with_domain(b, {start, start + length});
 }
 
-/// Of the points next to an end: in which share each has a part in the derivatives 0 … there. Directions have none.
+/// Of the points next to an end: in which share each has a part in the derivatives 0 … there. Directions cannot be moved.
 struct EndFunctions {
   std::size_t first = 0;
   std::vector<std::array<double, kMostConditions>> shares;
+  std::vector<std::array<double, kMostConditions>> shares_of_directions;
 };
 
 EndFunctions end_functions(const NurbsCurve& curve, double u, Side side, int count) {
@@ -100,15 +101,35 @@ EndFunctions end_functions(const NurbsCurve& curve, double u, Side side, int cou
   for (int k = 0; k <= most; ++k) {
     for (std::size_t j = 0; j < order; ++j) weight[k] += stencil.weights(k)[j] * curve.points()[stencil.first() + j].w;
   }
-  for (std::size_t j = skipped; j < skipped + count; ++j) {
-    const double w = curve.points()[stencil.first() + j].w;
+  const auto shares_at = [&](std::size_t j, double w) {
     std::array<glm::dvec4, kMostConditions> numerators;
     for (int k = 0; k <= most; ++k) numerators[k] = glm::dvec4(w * stencil.weights(k)[j], 0.0, 0.0, weight[k]);
     std::array<glm::dvec3, kMostConditions> quotients;
     quotient_derivatives(numerators, quotients);
-    functions.shares.push_back({quotients[0].x, quotients[1].x, quotients[2].x});
+    return std::array{quotients[0].x, quotients[1].x, quotients[2].x};
+  };
+  for (std::size_t j = skipped; j < skipped + count; ++j) {
+    const double w = curve.points()[stencil.first() + j].w;
+    functions.shares.push_back(shares_at(j, w));
+    functions.shares_of_directions.push_back(w == 0.0 ? shares_at(j, 1.0) : std::array<double, kMostConditions>{});
   }
   return functions;
+}
+
+/// The derivatives at an end, from the first on of how the points lie to that at the end: where weights differ much, those of
+/// the weights times the place of the end are far larger than what they leave of each other.
+std::array<glm::dvec3, kMostConditions> derivatives_at(const NurbsCurve& curve, const EndFunctions& end, std::size_t at_end) {
+  const glm::dvec3 joint(curve.points()[at_end]);
+  std::array<glm::dvec3, kMostConditions> found{joint, glm::dvec3(0.0), glm::dvec3(0.0)};
+  for (std::size_t j = 0; j < end.shares.size(); ++j) {
+    const glm::dvec4& point = curve.points()[end.first + j];
+    const bool is_direction = point.w == 0.0;
+    const glm::dvec3 way = is_direction ? glm::dvec3(point) : glm::dvec3(point) - joint;
+    for (int k = 1; k < kMostConditions; ++k) {
+      found[k] += (is_direction ? end.shares_of_directions : end.shares)[j][k] * way;
+    }
+  }
+  return found;
 }
 
 /// Solves a symmetric positive system of at most three rows (Gauss).
@@ -133,10 +154,8 @@ void meet(NurbsCurve& a, NurbsCurve& b, int count) {
   const double u = a.domain().end;
   EndFunctions at_a = end_functions(a, u, Side::left, count);
   EndFunctions at_b = end_functions(b, u, Side::right, count);
-  std::array<glm::dvec3, kMostConditions> left;
-  std::array<glm::dvec3, kMostConditions> right;
-  derivatives(a, {&u, 1}, count - 1, std::span(&left[0].x, 3 * count), {.side = Side::left});
-  derivatives(b, {&u, 1}, count - 1, std::span(&right[0].x, 3 * count), {.side = Side::right});
+  const auto left = derivatives_at(a, at_a, a.points().size() - 1);
+  const auto right = derivatives_at(b, at_b, 0);
   // Derivatives grow with the inverse of the span: each condition is scaled to the size of its shares.
   std::array<std::array<double, kMostConditions>, kMostConditions> rows{};
   std::array<glm::dvec3, kMostConditions> wanted{};

@@ -221,6 +221,19 @@ Value value_of(const Json& object) {
   refuse("kind " + kind.dump(), "is not known");
 }
 
+/// Where the text is no JSON, and what stands there.
+[[noreturn]] void refuse_damaged(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1;
+  const std::string place = "the text is damaged at byte " + std::to_string(byte) + ", line " + std::to_string(line) + ", column " +
+                            std::to_string(column) + ":";
+  if (byte == 0 || byte > text.size()) refuse(place, "it ends before the value does");
+  const auto found = static_cast<unsigned char>(text[byte - 1]);
+  const bool is_printable = found > 0x20 && found < 0x7f;
+  refuse(place, (is_printable ? "'" + std::string(1, text[byte - 1]) + "'" : "what stands there") + " is not expected");
+}
+
 Json parsed(std::string_view text) {
   // No value is deeper; a text that is would exhaust the stack where it is copied or printed.
   constexpr int kMaxDepth = 16;
@@ -233,9 +246,9 @@ Json parsed(std::string_view text) {
   try {
     return Json::parse(text, require_depth);
   } catch (const Json::parse_error& error) {
-    refuse("the text is damaged at byte " + std::to_string(error.byte) + ":", error.what());
-  } catch (const Json::out_of_range& error) {
-    refuse("a number is out of range:", error.what());
+    refuse_damaged(text, error.byte);
+  } catch (const Json::out_of_range&) {
+    refuse("a number", "is too large for double precision");
   }
 }
 

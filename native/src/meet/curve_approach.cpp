@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -77,7 +76,6 @@ Descent descended(const TwoCurves& curves, SpotPair at, const Interval& range_a,
   const std::array<Interval, 2> ranges{range_a, range_b};
   Approach now = approach_at(curves, at);
   for (int round = 0; round < kMost; ++round) {
-    breathe(64);
     std::array<double, 2> steps = steps_of(now);
     hold_at_borders(now, {at.a.t, at.b.t}, ranges, steps);
     bool is_lower = false;
@@ -117,7 +115,7 @@ bool hop(const CurvePieces& curve, CurveSpot& spot) {
 
 }  // namespace
 
-double TwoCurves::distance(const SpotPair& at) const noexcept {
+double TwoCurves::distance(const SpotPair& at) const {
   const Slopes<1> on_a = a.at(at.a);
   const Slopes<1> on_b = b.at(at.b, on_a.point);
   const glm::dvec3 gap = less_rounding(less_rounding(on_b.offset, on_a.first[0]), on_b.first[0]);
@@ -162,7 +160,6 @@ namespace {
 double foot_between(const CurvePieces& curve, double low, double high, const glm::dvec3& point) {
   constexpr int kHalvings = 52;
   for (int i = 0; i < kHalvings && low < high; ++i) {
-    breathe(32);
     const double middle = 0.5 * (low + high);
     const Slopes<1> s = curve.at(curve.spot(middle), point);
     (glm::dot(s.offset, s.first[0]) < 0.0 ? low : high) = middle;
@@ -261,7 +258,6 @@ double foot_inside(const CurvePieces& curve, std::size_t piece, const Interval& 
   double high = range.end;
   double t = range.middle();
   for (int round = 0; round < kMost; ++round) {
-    breathe(32);
     const Slopes<1> s = curve.at({piece, t}, point);
     const double slope = glm::dot(s.offset, s.first[0]);
     (slope < 0.0 ? low : high) = t;

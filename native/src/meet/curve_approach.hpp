@@ -25,7 +25,7 @@ struct TwoCurves {
   std::array<double, 2> places(const SpotPair& at) const noexcept { return {a.place(at.a), b.place(at.b)}; }
 
   /// Less what rounding of parameters and coordinates moves the places by, which is much far out.
-  double distance(const SpotPair& at) const noexcept;
+  double distance(const SpotPair& at) const;
 };
 
 /// Of parts of two pieces the places where they are nearest, of those around a pair: by Newton's method without the second

@@ -303,7 +303,7 @@ class PierceSearch {
 
 }  // namespace
 
-double CurveAndPatch::distance(const PierceSpot& at) const noexcept {
+double CurveAndPatch::distance(const PierceSpot& at) const {
   return glm::length(patch.at(at.patch, curve.at(at.curve).point).offset);
 }
 
@@ -312,7 +312,6 @@ std::optional<PierceSpot> pierced(const CurveAndPatch& shapes, PierceSpot at) {
   constexpr double kBeyond = 2.0;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe(128);
     const Slopes<1> c = shapes.curve.at(at.curve);
     const Slopes<2> s = shapes.patch.at(at.patch, c.point);
     const glm::dvec3 normal = glm::cross(s.first[0], s.first[1]);

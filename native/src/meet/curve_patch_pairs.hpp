@@ -20,7 +20,7 @@ struct CurveAndPatch {
   const CurvePieces& curve;
   const PatchPieces& patch;
 
-  double distance(const PierceSpot& at) const noexcept;
+  double distance(const PierceSpot& at) const;
 };
 
 /// A stretch of a piece of a curve that lies on a patch, up to the tolerance, and a place of the patch beside its middle.

@@ -10,7 +10,6 @@
 #include "patch_foot.hpp"
 #include "patch_sheet.hpp"
 #include "plane_patch.hpp"
-#include "splinecore/base/pause.hpp"
 #include "splinecore/meet/intersections.hpp"
 #include "zero_between.hpp"
 
@@ -306,7 +305,6 @@ class PierceOutcome {
       const auto far = [&](double at) { return shapes().distance(beside(cluster, at).at); };
       Interval in{place - curve_.reach(place, -1.0, tolerance_), place + curve_.reach(place, 1.0, tolerance_)};
       for (int i = 0; i < kThirds; ++i) {
-        breathe(1024);
         const double first = in.start + in.length() / 3.0;
         const double second = in.end - in.length() / 3.0;
         if (far(first) < far(second)) {

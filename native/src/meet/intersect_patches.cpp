@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/length.hpp"
+#include "base/printable.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
 #include "operand_order.hpp"
@@ -68,6 +69,10 @@ class SectionSearch {
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
                                                  is_known);
     touching_.follow_borders();
+    if (const auto place = touching_.lost_border()) {
+      throw InvalidShape("the border of what the shapes have in common cannot be followed beyond " +
+                         place_text(space_.leave(*place)) + ": one of them may be folded there");
+    }
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
     BranchSearch search(patches(), crossing_, smallest, rounding);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -73,11 +72,6 @@ std::optional<double> advance(PatchSpots& at, const Four& steps, const RangesOfF
   return most;
 }
 
-/// Pauses as often as evaluation at a pair of places takes long.
-void breathe_at(const TwoPatches& patches, const PatchSpots& at) {
-  breathe(8 * (patches.a.piece(at.a.piece).values.size() + patches.b.piece(at.b.piece).values.size()));
-}
-
 /// Newton's method with a fourth equation: its row, and how far it is from being satisfied. Where normals are nearly
 /// parallel rounding keeps it from coming to rest.
 template <class Fourth>
@@ -86,7 +80,6 @@ std::optional<PatchSpots> newton(const TwoPatches& patches, PatchSpots at, Fourt
   constexpr double kStill = 0x1p-44;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     FourByFour rows = gap_rows(now);
     const glm::dvec3 gap = now.b.offset;
@@ -114,7 +107,7 @@ bool enters(PatchSpots& at) noexcept {
   return true;
 }
 
-PatchMeeting meeting_at(const TwoPatches& patches, const PatchSpots& at) noexcept {
+PatchMeeting meeting_at(const TwoPatches& patches, const PatchSpots& at) {
   PatchMeeting found;
   found.a = patches.a.at(at.a);
   found.b = patches.b.at(at.b, found.a.point);
@@ -197,7 +190,6 @@ std::optional<PatchSpots> newton_on_foot(const TwoPatches& patches, PatchSpots a
   constexpr double kNoise = 0x1p-28;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     const std::array<StepEquation, 2> more = equations(now, at);
     const std::array<StepEquation, 4> all{gap_along(now, 0), gap_along(now, 1), more[0], more[1]};
@@ -245,7 +237,6 @@ std::optional<PatchSpots> foot_near(const TwoPatches& patches, PatchSpots at) {
   const glm::dvec3 point = patches.a.at(at.a).point;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe_at(patches, at);
     const Slopes<2> b = patches.b.at(at.b, point);
     const auto& [bs, bt] = b.first;
     const double ss = glm::dot(bs, bs) + glm::dot(b.offset, b.second[0]);
@@ -275,7 +266,6 @@ std::optional<PatchSpots> touch_near(const TwoPatches& patches, PatchSpots at, c
   constexpr double kNoise = 0x1p-28;
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kMost; ++round) {
-    breathe_at(patches, at);
     const PatchMeeting now = meeting_at(patches, at);
     const auto& [au, av] = now.a.first;
     const auto& [auu, avv, auv] = now.a.second;

@@ -42,7 +42,7 @@ struct PatchMeeting {
   double distance() const noexcept;
 };
 
-PatchMeeting meeting_at(const TwoPatches& patches, const PatchSpots& at) noexcept;
+PatchMeeting meeting_at(const TwoPatches& patches, const PatchSpots& at);
 
 /// What a place must satisfy beside being one of both patches.
 struct InPlane {

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
-#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -22,7 +21,6 @@ std::array<double, 2> held(const std::array<double, 2>& at, const std::array<Int
 PatchSpot foot_in(const PatchPieces& patch, PatchSpot at, const std::array<Interval, 2>& range, const glm::dvec3& point) {
   constexpr int kMost = 12;
   for (int round = 0; round < kMost; ++round) {
-    breathe(128);
     const Slopes<2> s = patch.at(at, point);
     const double uu = glm::dot(s.first[0], s.first[0]);
     const double uv = glm::dot(s.first[0], s.first[1]);
@@ -73,7 +71,6 @@ std::optional<PatchSpot> start_from_pole(const PatchPieces& patch, const PatchSp
     double least = 0.0;
     const auto look = [&](std::size_t in) {
       for (int i = 0; i <= kMeridians; ++i) {
-        breathe(128);
         PatchSpot spot{in, at.at};
         spot.at[k] = is_end ? 1.0 : 0.0;
         spot.at[1 - k] = static_cast<double>(i) / kMeridians;

@@ -39,6 +39,7 @@ class March {
                            " places within the tolerance: it is too small");
       }
     }
+    trace_.is_lost[1] = is_lost_ && !parts();
     return std::move(trace_);
   }
 
@@ -107,10 +108,22 @@ class March {
     return false;
   }
 
+  /// The curve is given up. @returns false
+  bool lose() {
+    is_lost_ = true;
+    return false;
+  }
+
+  /// Whether a curve along which patches touch has come to where they part by more than the tolerance.
+  bool parts() const {
+    constexpr double kMost = 0.5;
+    return contact_.kind != PatchContact::Kind::crossing && meeting_at(patches_, last().at).distance() > kMost * tolerance_;
+  }
+
   /// @returns whether the curve goes on
   bool step() {
     breathe(2048);
-    if (length_ < kLeastStep || is_lost_in_rounding()) return false;
+    if (length_ < kLeastStep || is_lost_in_rounding()) return lose();
     if (const auto end = touching_end()) return finish(*end);
     keep_before_touches();
     const InPlane plane{last().point + length_ * last().tangent, last().tangent};
@@ -152,7 +165,7 @@ class March {
 
   bool shorter(double share) {
     length_ *= share;
-    return length_ >= kLeastStep || turn_corner();
+    return length_ >= kLeastStep || turn_corner() || lose();
   }
 
   /// Beside a side along which a piece is nearly folded the curve may turn within rounding: it goes on from a place
@@ -391,13 +404,14 @@ class March {
     PatchSpots at = last().at;
     const bool is_end = at[i] == 1.0;
     const auto next = piece_of(i).beyond(piece_at(i), side(i, is_end));
-    if (!next || ++hops_ > kMostHops) return false;
+    if (!next) return false;
+    if (++hops_ > kMostHops) return lose();
     (i < 2 ? at.a : at.b).piece = *next;
     at[i] = is_end ? 0.0 : 1.0;
     const std::optional<SectionPlace> there = place(at);
-    if (!there) return false;
+    if (!there) return lose();
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
-    if (!runs_out(*there, i, is_end)) return false;
+    if (!runs_out(*there, i, is_end)) return contact_.kind == PatchContact::Kind::crossing ? false : lose();
     if (is_known_ && is_known_(*there)) return false;
     if (const auto before = visit_before(*there)) return end_at_itself(*before);
     visits_[{at.a.piece, at.b.piece}].push_back({trace_.places.size(), travelled_});
@@ -473,6 +487,7 @@ class March {
   double travelled_ = 0.0;
   int hops_ = 0;
   int corners_ = 0;
+  bool is_lost_ = false;
   SectionTrace trace_{{}, false};
 };
 
@@ -490,7 +505,7 @@ SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const M
   }
   if (back.is_closed) return {std::move(places), true};
   places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
-  return {std::move(places), false};
+  return {std::move(places), false, {back.is_lost[1], forward.is_lost[1]}};
 }
 
 }  // namespace splinecore

@@ -16,7 +16,8 @@ struct MarchLimits {
 };
 
 /// The whole curve through a place: both ways, to borders, poles, places where the patches touch, where one of them is
-/// folded or has no normal for another reason, and where it comes to a curve that is known or to itself; or round.
+/// folded or has no normal for another reason, and where it comes to a curve that is known or to itself; or round. Where no
+/// place is found ahead, however short the step, and those that touch do not part either, it is lost.
 SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const MarchLimits& limits);
 
 }  // namespace splinecore

@@ -10,6 +10,7 @@
 #include "near_space.hpp"
 #include "piece_side.hpp"
 #include "slopes.hpp"
+#include "splinecore/base/pause.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
 #pragma GCC visibility push(hidden)
@@ -42,8 +43,9 @@ class PatchPieces {
   /// Whether a side of a piece is a single point.
   bool is_pole(std::size_t piece, const PieceSide& side) const noexcept { return poles_[4 * piece + number(side)]; }
 
-  Slopes<2> at(const PatchSpot& spot, const glm::dvec3& from = glm::dvec3(0.0)) const noexcept {
+  Slopes<2> at(const PatchSpot& spot, const glm::dvec3& from = glm::dvec3(0.0)) const {
     const BernsteinNet<glm::dvec4>& net = pieces_[spot.piece];
+    breathe(32 + 8 * net.values.size());
     return slopes_of<2>(kernels_, net.values.data(), net.rows, net.columns, spot.at, from);
   }
 

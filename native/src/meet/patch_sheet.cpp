@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
-#include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
@@ -51,7 +50,6 @@ std::vector<double> turns_along(const PatchPieces& patch, Axis axis, const Patch
 bool stays_near(const PatchPieces& patch, const OverSpans& from, const OverSpans& to, const glm::dvec3& point, double distance) {
   constexpr int kPlaces = 16;
   for (int i = 0; i <= kPlaces; ++i) {
-    breathe(64);
     const double share = static_cast<double>(i) / kPlaces;
     const OverSpans place{from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])};
     if (!(glm::length(patch.at(spot_of(patch, place), point).offset) <= distance)) return false;

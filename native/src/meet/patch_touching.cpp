@@ -26,6 +26,13 @@ bool enters_nearly(PatchSpots& at) {
   return true;
 }
 
+bool is_beside(const SectionTrace& trace, const glm::dvec3& point, double distance) {
+  for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+    if (SectionStep(trace.places[i], trace.places[i + 1]).is_near(point, distance)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool TouchingCurves::knows(const PatchPart& a, const PatchPart& b) {
@@ -229,8 +236,7 @@ void TouchingCurves::follow_borders() {
       for (const OnFace& border : borders_at(end)) {
         PatchSpots at = end;
         at[border.parameter] = border.value;
-        std::optional<SectionTrace> trace = traced_border(at, border);
-        if (trace && is_new(*trace)) add_border(std::move(*trace));
+        keep_border(traced_border(at, border), i);
       }
     }
   }
@@ -267,9 +273,10 @@ double TouchingCurves::near_border() const { return std::max(4.0 * tolerance_, 0
 void TouchingCurves::find_border(const PatchSpots& at, const OnFace& border) {
   const PatchMeeting here = meeting_at(patches_, at);
   if (here.distance() > 0.5 * tolerance_ || border_beads_.is_near(here.a.point, near_border())) return;
-  if (std::optional<SectionTrace> trace = traced_border(at, border)) add_border(std::move(*trace));
+  keep_border(traced_border(at, border), {});
 }
 
+/// @returns none where nothing is to be followed
 std::optional<SectionTrace> TouchingCurves::traced_border(const PatchSpots& at, const OnFace& border) const {
   if (is_known_place && is_known_place(at)) return {};
   const PatchMeeting here = meeting_at(patches_, at);
@@ -279,8 +286,34 @@ std::optional<SectionTrace> TouchingCurves::traced_border(const PatchSpots& at, 
   const glm::dvec3 way = glm::normalize(slope);
   SectionPlace seed{at, here.a.point + 0.5 * here.b.offset, way, slopes_along(here, way)};
   seed.slopes[border.parameter] = 0.0;
-  SectionTrace trace = traced(patches_, seed, {{PatchContact::Kind::border, border}, {}, 0.5 * tolerance_});
-  return trace.places.size() < 2 ? std::nullopt : std::optional(std::move(trace));
+  return traced(patches_, seed, {{PatchContact::Kind::border, border}, {}, 0.5 * tolerance_});
+}
+
+void TouchingCurves::keep_border(std::optional<SectionTrace> trace, std::optional<std::size_t> from) {
+  if (!trace) return;
+  if (trace->places.size() < 2) {
+    if (trace->is_lost[0] || trace->is_lost[1]) lost_.push_back({trace->places.front().point, from});
+  } else if (!from || is_new(*trace)) {
+    add_border(std::move(*trace));
+  }
+}
+
+std::optional<glm::dvec3> TouchingCurves::lost_border() const {
+  const auto goes_by = [&](const glm::dvec3& point, std::optional<std::size_t> but) {
+    for (std::size_t i = 0; i < borders_.size(); ++i) {
+      if (but != i && is_beside(borders_[i], point, near_border())) return true;
+    }
+    return false;
+  };
+  for (const LostBorder& lost : lost_) {
+    if (!goes_by(lost.point, lost.from)) return lost.point;
+  }
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    const SectionTrace& border = borders_[i];
+    if (border.is_lost[0] && !goes_by(border.places.front().point, i)) return border.places.front().point;
+    if (border.is_lost[1] && !goes_by(border.places.back().point, i)) return border.places.back().point;
+  }
+  return {};
 }
 
 void TouchingCurves::add_border(SectionTrace trace) {

@@ -53,6 +53,10 @@ class TouchingCurves {
 
   const std::vector<SectionTrace>& traces() const noexcept { return traces_; }
   bool are_one() const noexcept { return are_one_; }
+
+  /// A place at which the border of what they have in common was lost, and where no other part of it goes by.
+  std::optional<glm::dvec3> lost_border() const;
+
   const std::vector<SectionTrace>& borders() const noexcept { return borders_; }
 
   /// Whether they touch at a place, or a border of what they have in common is there.
@@ -65,6 +69,12 @@ class TouchingCurves {
   struct Nearness {
     bool is_inside;  ///< a place of it is in the other one, not only on how that goes on
     double gap;      ///< how far it is from the other one at most
+  };
+
+  /// Where a border was begun and no step of it was found.
+  struct LostBorder {
+    glm::dvec3 point;
+    std::optional<std::size_t> from;  ///< the border at whose end that is
   };
 
   template <class Look>
@@ -80,6 +90,7 @@ class TouchingCurves {
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
   void find_border(const PatchSpots& at, const OnFace& border);
   std::optional<SectionTrace> traced_border(const PatchSpots& at, const OnFace& border) const;
+  void keep_border(std::optional<SectionTrace> trace, std::optional<std::size_t> from);
   double near_border() const;
   std::vector<OnFace> borders_at(const PatchSpots& at) const;
   bool is_new(const SectionTrace& trace) const;
@@ -88,6 +99,7 @@ class TouchingCurves {
   double tolerance_;
   std::vector<SectionTrace> traces_;
   std::vector<SectionTrace> borders_;
+  std::vector<LostBorder> lost_;
   bool are_one_ = false;
   BeadStrings beads_;
   BeadStrings border_beads_;

@@ -59,6 +59,7 @@ inline constexpr double kLargestOfTouch = 0x1p-4;
 struct SectionTrace {
   std::vector<SectionPlace> places;
   bool is_closed;
+  std::array<bool, 2> is_lost{};  ///< whether at its first and its last place it was lost rather than came to an end
 };
 
 /// The cubic between two places of the same pieces, and its images.

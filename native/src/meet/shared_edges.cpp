@@ -113,6 +113,7 @@ class SharedEdgeSearch {
     return true;
   }
 
+  /// What is lost of a border on the way is left to the search for crossings, which asks about all that no curve explains.
   void trace(const PatchSpots& at, const OnFace& border) {
     const PatchMeeting here = meeting_at(patches_, at);
     const std::size_t other = border.parameter ^ 1U;

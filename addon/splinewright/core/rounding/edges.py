@@ -110,7 +110,7 @@ def _require_apart(body, rolled, flat):
             shared = _ends(edge) & _ends(other)
             if shared:
                 raise Refusal(f"{planes.named(body, min(shared))}: edges {edge.number} and {other.number} end there, and not all "
-                              "surfaces there are planes: round one of them, or edges of a corner of three planes")
+                              "surfaces there are planes: round one of them first, then the others with a smaller radius")
 
 
 def _place_of(edge):

@@ -6,8 +6,8 @@ from ...bridge import replacing
 from ...bridge.file_state import state
 from ...core.failures import FAILURES
 from .. import hand, picking
-from . import polls, reports
-from .pointing import Pointing, redraw
+from . import patch_join, polls, reports
+from .pointing import Pointing, given, redraw
 
 
 class _PicksSides(Pointing):
@@ -35,16 +35,7 @@ class _PicksSides(Pointing):
         state.sides = ()
 
     def look(self, context, event):
-        view = picking.view_at(event.mouse_x, event.mouse_y)
-        found = None
-        if view:
-            region, view = view
-            pixel = event.mouse_x - region.x, event.mouse_y - region.y
-            try:
-                found = picking.side_at(region, view, pixel, self.pieces(context, self._picked), context.evaluated_depsgraph_get())
-            except FAILURES:
-                pass                    # such a shape shows nothing to point at
-        self._found = found
+        self._found = found = side_at(context, event.mouse_x, event.mouse_y, self.pieces(context, self._picked))
         state.sides = tuple((ob.name, number, side) for ob, number, side in [*self._picked, *([found] if found else [])])
         redraw()
         return found is not None
@@ -58,7 +49,18 @@ class _PicksSides(Pointing):
         return self.done(context, picked)
 
 
-def _patches(obs):
+def side_at(context, x, y, pieces):
+    """(object, number, side) of the side of one of these (object, number) at a pixel of the window, or None."""
+    view = picking.view_at(x, y)
+    if view is None:
+        return None
+    try:
+        return picking.side_at(*view, (x - view[0].x, y - view[0].y), pieces, context.evaluated_depsgraph_get())
+    except FAILURES:
+        return None                     # such a shape shows nothing to point at
+
+
+def patches_of(obs):
     return [(ob, number) for ob in obs if replacing.is_patch_shape(ob) and ob.visible_get() for number in hand.counted(ob.data)]
 
 
@@ -70,12 +72,15 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     hint = "Click an edge of a patch, then the one that is to go on from it   |   Esc, Right Mouse: Cancel"
     count = 2
 
+    continuity: patch_join.continuity_property(options={'SKIP_SAVE'})
+    moves: patch_join.moves_property(options={'SKIP_SAVE'})
+
     @classmethod
     def poll(cls, context):
         return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
 
     def pieces(self, context, picked):
-        found = _patches({ob.name: ob for ob in (context.object, *context.selected_objects)}.values())
+        found = patches_of({ob.name: ob for ob in (context.object, *context.selected_objects)}.values())
         if not picked:
             return found
         (first, number, _), is_alone = picked[0], len(context.selected_objects) < 2
@@ -84,7 +89,8 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     def done(self, context, picked):
         first, second = sorted(picked, key=lambda one: one[0] != context.object)
         return reports.called(
-            self, bpy.ops.splinewright.join_patches, first=first[1], first_side=first[2], second=second[1], second_side=second[2])
+            self, bpy.ops.splinewright.join_patches, first=first[1], first_side=first[2], second=second[1], second_side=second[2],
+            **given(self, 'continuity', 'moves'))
 
 
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
@@ -101,7 +107,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
         return True
 
     def pieces(self, context, picked):
-        return _patches(context.selected_objects)
+        return patches_of(context.selected_objects)
 
     def done(self, context, picked):
         (ob, number, side), = picked

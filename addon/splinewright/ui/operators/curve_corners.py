@@ -17,9 +17,14 @@ _SIDES = (('AUTO', "Longer", "What is longer from where they meet"), ('start', "
 _DEFAULT, _SHARE = 0.1, 0.05
 
 
-def _length_property(name, what, least=1e-6):
+def length_property(name, what, least=1e-6, **settings):
+    """settings: more of a property's."""
     return FloatProperty(name=name, description=f"{what}, in units of the object", default=_DEFAULT, min=least, precision=4,
-                         step=1, unit='LENGTH')
+                         step=1, unit='LENGTH', **settings)
+
+
+def joined_property(**settings):
+    return BoolProperty(name="Join", description="Make one curve of both and what is between them", default=True, **settings)
 
 
 class _Corners(pieces.FromActive, OnCurves):
@@ -47,7 +52,7 @@ class SPLINEWRIGHT_OT_fillet_corners(_Corners, bpy.types.Operator):
     bl_description = "Put an arc of a circle in place of each corner of a curve; it goes on smoothly there"
     done = "Filleted corners of {}"
 
-    size: _length_property("Radius", "Of the arcs")
+    size: length_property("Radius", "Of the arcs")
 
     def verb(self):
         return meeting.fillet_corners(self.typed_size())
@@ -59,7 +64,7 @@ class SPLINEWRIGHT_OT_chamfer_corners(_Corners, bpy.types.Operator):
     bl_description = "Put a segment in place of each corner of a curve"
     done = "Chamfered corners of {}"
 
-    size: _length_property("Length", "From each corner along the curve")
+    size: length_property("Length", "From each corner along the curve")
 
     def verb(self):
         return meeting.chamfer_corners(self.typed_size())
@@ -70,7 +75,7 @@ class _Between:
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    joined: BoolProperty(name="Join", description="Make one curve of both and what is between them", default=True)
+    joined: joined_property()
     first_kept: EnumProperty(name="Keep First", description="Which part of the first curve stays", items=_SIDES,
                              options={'SKIP_SAVE'})
     second_kept: EnumProperty(name="Keep Second", description="Which part of the second curve stays", items=_SIDES,
@@ -153,7 +158,7 @@ class SPLINEWRIGHT_OT_fillet_curves(_Between, bpy.types.Operator):
     done = "Filleted curves of {}"
     sizes = ('radius',)
 
-    radius: _length_property("Radius", "Of the arc")
+    radius: length_property("Radius", "Of the arc")
 
     def change(self, definition, first, second, kept):
         return meeting.filleted(definition, first, second, kept, decimals.typed(self.radius), self.joined)
@@ -167,8 +172,8 @@ class SPLINEWRIGHT_OT_chamfer_curves(_Between, bpy.types.Operator):
     done = "Chamfered curves of {}"
     sizes = ('first_length', 'second_length')
 
-    first_length: _length_property("First Length", "Along the first curve", 0.0)
-    second_length: _length_property("Second Length", "Along the second curve", 0.0)
+    first_length: length_property("First Length", "Along the first curve", 0.0)
+    second_length: length_property("Second Length", "Along the second curve", 0.0)
 
     def change(self, definition, first, second, kept):
         lengths = decimals.typed(self.first_length), decimals.typed(self.second_length)

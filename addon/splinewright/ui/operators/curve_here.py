@@ -7,15 +7,18 @@ from ...bridge.file_state import state
 from ...core import decimals, meeting
 from ...core.failures import FAILURES
 from .. import aim_overlay, hand, picking
-from . import polls, reports
+from . import curve_corners, curve_meeting, polls, reports
 from .insert_here import ByClick
-from .pointing import Pointing, redraw
+from .pointing import Pointing, given, redraw
 
 
 class _OnCurve(ByClick):
     """Only curves are clicked."""
 
     works_on_nets = False
+    dimensions = (1,)
+
+    meet: curve_meeting.with_property(options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):
@@ -24,8 +27,7 @@ class _OnCurve(ByClick):
             return False
         return super().poll(context)
 
-    @staticmethod
-    def operator():
+    def operator(self, parameter, domain):
         """What is done with the piece that was clicked, and its settings for a parameter and the domain."""
         raise NotImplementedError
 
@@ -75,10 +77,9 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     bl_description = "Click the part of a curve that is to go: up to where it meets other curves, of which all that are shown count"
     thing, does = "Part", "trim"
 
-    @staticmethod
-    def operator(parameter, domain):
+    def operator(self, parameter, domain):
         return bpy.ops.splinewright.trim_curve, {'parameter': decimals.single(parameter), 'exact': repr(float(parameter)),
-                                                'meet': 'VISIBLE'}
+                                                'meet': self.meet}
 
     def line_of(self, curves, aimed):
         curve = curves[aimed.number - 1]
@@ -92,10 +93,11 @@ class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_description = "Click a curve near the end that is to go on to where it meets another curve, of which all that are shown count"
     thing, does = "End nearest", "extend"
 
-    @staticmethod
-    def operator(parameter, domain):
-        return bpy.ops.splinewright.extend_curve, {'to': 'CURVES', 'ends': _end(parameter, domain).upper(), 'how': 'natural',
-                                                   'meet': 'VISIBLE'}
+    how: curve_meeting.how_property(options={'SKIP_SAVE'})
+
+    def operator(self, parameter, domain):
+        return bpy.ops.splinewright.extend_curve, {'to': 'CURVES', 'ends': _end(parameter, domain).upper(), 'how': self.how,
+                                                   'meet': self.meet}
 
     def line_of(self, curves, aimed):
         curve = curves[aimed.number - 1]
@@ -111,6 +113,10 @@ class _PicksCurves(Pointing):
     """Two curves are clicked on the parts that stay."""
 
     bl_options = {'REGISTER'}
+    #: Settings of the operator that is called, which are kept there.
+    passed = ()
+
+    joined: curve_corners.joined_property(options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):
@@ -152,7 +158,7 @@ class _PicksCurves(Pointing):
         first, second = sorted(self._picked, key=lambda one: one[0] != context.object)
         self.cancel(context)
         return reports.called(self, self.operator(), first=first[1], second=second[1], picked=True,
-                              first_at=first[2][0], second_at=second[2][0])
+                              first_at=first[2][0], second_at=second[2][0], **given(self, 'joined', *self.passed))
 
 
 class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):
@@ -160,6 +166,9 @@ class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):
     bl_label = "Fillet by Click"
     bl_description = "Click two curves on the parts that stay: an arc of a circle goes between them"
     hint = "Click two curves on the parts that stay   |   Esc, Right Mouse: Cancel"
+    passed = ('radius',)
+
+    radius: curve_corners.length_property("Radius", "Of the arc", options={'SKIP_SAVE'})
 
     @staticmethod
     def operator():
@@ -171,6 +180,10 @@ class SPLINEWRIGHT_OT_chamfer_here(_PicksCurves, bpy.types.Operator):
     bl_label = "Chamfer by Click"
     bl_description = "Click two curves on the parts that stay: a segment goes between them"
     hint = SPLINEWRIGHT_OT_fillet_here.hint
+    passed = ('first_length', 'second_length')
+
+    first_length: curve_corners.length_property("First Length", "Along the first curve", 0.0, options={'SKIP_SAVE'})
+    second_length: curve_corners.length_property("Second Length", "Along the second curve", 0.0, options={'SKIP_SAVE'})
 
     @staticmethod
     def operator():

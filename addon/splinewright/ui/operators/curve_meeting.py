@@ -13,12 +13,22 @@ from .pieces import parameter_property
 
 _WITH = (('VISIBLE', "All Visible", "All curves that are shown, and its own other pieces"),
          ('SELECTED', "Selected", "Other selected curves, and its own other pieces"))
+_HOW = (('natural', "Natural", "As its last span does"), ('arc', "Arc", "Round its circle of curvature"),
+        ('straight', "Straight", "Along its tangent"))
+
+
+def with_property(**settings):
+    return EnumProperty(name="With", description="What it may meet", items=_WITH, **settings)
+
+
+def how_property(**settings):
+    return EnumProperty(name="How", description="How it is continued", items=_HOW, **settings)
 
 
 class _Meeting(pieces.LongOnPieces, OnCurves):
     """Does meeting_verb() with the curves that each shape may meet."""
 
-    meet: EnumProperty(name="With", description="What it may meet", items=_WITH)
+    meet: with_property()
 
     def meeting_verb(self, others):
         """A function that gives a verb for a `cancel` as the library takes it."""
@@ -55,9 +65,7 @@ class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):
         ('LENGTH', "Length", "So much longer"), ('CURVES', "Curves", "To where it first meets another curve")))
     ends: EnumProperty(name="At", items=(
         ('END', "End", "Where it ends"), ('START', "Start", "Where it starts"), ('BOTH', "Both", "At both ends")))
-    how: EnumProperty(name="How", items=(
-        ('natural', "Natural", "As its last span does"), ('arc', "Arc", "Round its circle of curvature"),
-        ('straight', "Straight", "Along its tangent")))
+    how: how_property()
     by: FloatProperty(name="Length", description="By how much it is longer at each of these ends, in units of the object",
                       default=0.5, min=1e-9, precision=4, step=1, unit='LENGTH')
 

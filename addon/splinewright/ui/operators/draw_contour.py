@@ -4,7 +4,7 @@ import math
 
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, StringProperty
+from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
@@ -32,6 +32,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     contour: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # the first point is where the mouse is pressed
     radius: FloatProperty(name="Corner Radius", description="Of arcs in place of all corners; it stays in the panel of the contour. 0 leaves them sharp", default=0.0,
                           min=0.0, unit='LENGTH', options={'SKIP_SAVE'})
     resolution_u: resolution_property()
@@ -47,6 +48,9 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         self._marks = drawing_marks.Marks(context)
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
+        if self.at_once:
+            self._aim(context, event)
+            return self._click(context, event)
         self._show(context, event)
         return {'RUNNING_MODAL'}
 

@@ -2,7 +2,7 @@
 
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, StringProperty
+from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
@@ -30,6 +30,7 @@ class _Pen:
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     stroke: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # begin where the mouse is pressed
     pixels: FloatProperty(name="Tolerance in Pixels", description="How far the next stroke may lie from its curve, as it is seen",
                           default=4.0, min=0.1, soft_max=50.0)
     tolerance: recipe_props.property_of(_PARAMETERS['tolerance'], options={'SKIP_SAVE'})
@@ -49,7 +50,7 @@ class _Pen:
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('PAINT_BRUSH')
         self._hint(context)
-        return {'RUNNING_MODAL'}
+        return self._wait(context, event) if self.at_once else {'RUNNING_MODAL'}
 
     def modal(self, context, event):
         if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':

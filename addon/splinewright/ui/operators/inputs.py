@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import derived, follow, recipes, shape, store
+from ...bridge import derived, follow, parameters, recipes, shape, store
 from ...core import sections
 from ...core.failures import FAILURES, Refusal
 from . import polls, reports
@@ -67,6 +67,7 @@ class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
         if not 0 <= to < len(inputs):
             raise Refusal("it is the first one" if to < 0 else "it is the last one")
         inputs.insert(to, inputs.pop(self.index))
+        parameters.of(context.object.data).active_input = to
         return inputs
 
 

@@ -25,7 +25,10 @@ class ByClick:
     works_on_nets = True
     #: What lies at the mouse, and what a click does with it.
     thing, does = "", ""
+    #: How many parameters what is clicked may have.
+    dimensions = (1, 2)
 
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # click where the mouse is, or leave the key to others
     direction: EnumProperty(name="Along", description="Along which direction of a patch", options={'SKIP_SAVE'}, items=(
         ('U', "U", "At one u"), ('V', "V", "At one v"), ('BOTH', "Both", "At both")))
 
@@ -43,9 +46,14 @@ class ByClick:
         return is_possible(context)
 
     def invoke(self, context, event):
+        aimed = self.at_once and aimed_by_tool(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl, self.dimensions)
+        if self.at_once and not aimed:
+            return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context))
         if problem:
             return reports.cancelled(self, problem)
+        if aimed:
+            return self.clicked(aimed)
         self._snaps, self._why_none = False, ""
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('CROSSHAIR')
@@ -120,17 +128,6 @@ class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
                       "there")
     thing, does = "Knot", "insert"
 
-    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # where the mouse is, or leave the key to others
-
-    def invoke(self, context, event):
-        if not self.at_once:
-            return super().invoke(context, event)
-        aimed = aimed_by_tool(context, event.mouse_x, event.mouse_y, self.direction, event.ctrl)
-        if aimed is None:
-            return {'PASS_THROUGH', 'CANCELLED'}
-        problem = editing.unread(editing.nets_in_edit_mode(context))
-        return reports.cancelled(self, problem) if problem else self.clicked(aimed)
-
     def clicked(self, aimed):
         return self.done_at(aimed, bpy.ops.splinewright.insert_knot, where='PARAMETER', times=1)
 
@@ -150,6 +147,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_label = "Extract Isocurve by Click"
     bl_description = "Click the patch where a curve is to be extracted: a shape of its own, exact"
     thing, does = "Isocurve", "extract"
+    dimensions = (2,)
     works_on_nets = False
 
     @classmethod
@@ -179,13 +177,14 @@ def aimed_at(context, x, y, direction, in_middle=False):
     return aim_overlay.Aim(found[0].name, found[1], found[2], direction) if found else None
 
 
-def aimed_by_tool(context, x, y, direction, in_middle=False):
-    """aimed_at(); None at a point of a curve's net, which is selected by a click."""
+def aimed_by_tool(context, x, y, direction, in_middle=False, dimensions=(1, 2)):
+    """aimed_at() where it has one of these numbers of parameters; None at a point of a curve's net, which is selected by a click."""
     view = picking.view_at(x, y)
     curves = [ob for ob in editing.nets_in_edit_mode(context) if ob.type == 'CURVE']
     if view and picking.point_at(*view, (x - view[0].x, y - view[0].y), curves, within=_ON_POINT):
         return None
-    return aimed_at(context, x, y, direction, in_middle)
+    found = aimed_at(context, x, y, direction, in_middle)
+    return found if found and len(found.parameters) in dimensions else None
 
 
 def _meant(context):

@@ -20,14 +20,14 @@ _MOVES = {'second': ("Other", "The second patch moves to the first"), 'first': (
           'both': ("Both", "Each as little as it must")}
 
 
-def continuity_property():
+def continuity_property(**settings):
     return EnumProperty(name="Continuity", description="What the patches share along the edge", default='G1',
-                        items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS])
+                        items=[(name, name, _WORDS[name]) for name in patch_joints.SMOOTHNESS], **settings)
 
 
-def moves_property():
+def moves_property(**settings):
     return EnumProperty(name="Moves", description="Which patch gives way",
-                        items=[(name, *_MOVES[name]) for name in patch_joints.MOVES])
+                        items=[(name, *_MOVES[name]) for name in patch_joints.MOVES], **settings)
 
 
 def _number_property(name, what):

@@ -1,5 +1,7 @@
 """Something in the view is pointed at, and clicked: what operators of that kind have in common."""
 
+from bpy.props import BoolProperty
+
 from ...core import typed_number
 from .. import picking
 from . import meant
@@ -30,10 +32,18 @@ class Typing:
         return longer is not None
 
 
+def given(operator, *names):
+    """Those of an operator's settings that a tool has, or that were set; another operator keeps its own for the others."""
+    return {name: getattr(operator, name) for name in names
+            if operator.at_once or operator.properties.is_property_set(name)}
+
+
 class Pointing:
     """Modal: what is at the mouse is shown until it is clicked, or called off. `hint` stands in the status bar."""
 
     hint = ""
+
+    at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # click where the mouse is, or leave the key to others
 
     def look(self, context, event):
         """Find what is at the mouse, and show it; whether there is anything."""
@@ -53,6 +63,13 @@ class Pointing:
 
     def begin(self, context, event):
         """What invoke() returns."""
+        if self.at_once:
+            if not self.look(context, event):
+                self.forget()
+                return {'PASS_THROUGH', 'CANCELLED'}
+            ended = self.clicked(context)
+            if ended != {'RUNNING_MODAL'}:
+                return ended
         context.window_manager.modal_handler_add(self)
         context.window.cursor_modal_set('EYEDROPPER')
         self.tell(context)

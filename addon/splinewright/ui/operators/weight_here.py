@@ -7,28 +7,25 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ...bridge import recipes
-from ...bridge.file_state import state
 from ...bridge.net import live, net_object, selection, weighing
-from ...core import decimals, typed_number
+from ...core import decimals
 from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, picking, seeing, weight_overlay
+from .. import editing
 from . import reports
-from .pointing import PASSED, Typing, redraw
+from .sideways import FINE, Sideways, scaled
 
-#: Pixels, of an interface that is not scaled, over which a weight doubles; with Shift ten times as many.
-_DOUBLES, _FINE = 150.0, 0.1
+#: Pixels, of an interface that is not scaled, over which a weight doubles.
+_DOUBLES = 150.0
 #: What Ctrl rounds to.
 _STEP = 0.1
-_KEYS = "Move: less, more   |   Digits: the weight   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
 
 
-class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
+class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
     bl_idname = "splinewright.weight_here"
     bl_label = "Change Weight"
     bl_description = ("Change the weights of the selected control points by moving the mouse sideways, or type a number; above "
                       "1 pulls the shape nearer, below 0 pushes it away")
-    bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
-    works_on_nets = True
+    means = "less, more", "the weight"
 
     kind: EnumProperty(name="Change", description="What becomes of the weights", options={'SKIP_SAVE'}, items=(
         ('SET', "Set", "All get one weight"), ('SCALE', "Scale", "All are multiplied by one number")))
@@ -36,8 +33,6 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
                           step=10, options={'SKIP_SAVE'})
     factor: FloatProperty(name="Factor", description="What weights are multiplied by; not 0", default=1.0, precision=4,
                           step=10, options={'SKIP_SAVE'})
-    at_mouse: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})         # begin with the point there, or leave the key to others
-    is_drag: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # a button is held until it is over
     by_hand: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     @classmethod
@@ -53,70 +48,38 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
         self.layout.row().prop(self, "kind", expand=True)
         self.layout.prop(self, "weight" if self.kind == 'SET' else "factor")
 
-    def invoke(self, context, event):
-        if self.at_mouse and not _take_in_hand(context, event):
-            return {'PASS_THROUGH', 'CANCELLED'}
-        problem = editing.unread(editing.nets_in_edit_mode(context)) or _why_none(context)
+    def nets(self, context):
+        return list(filter(has_weights, editing.nets_in_edit_mode(context)))
+
+    def is_meant(self, net):
+        return net.weighted
+
+    def hold(self, context):
+        problem = _why_none(context)
         if problem:
-            return reports.cancelled(self, problem)
+            return problem
         self.by_hand = True
         self._before = _chosen(context)
         weights = np.concatenate([weights for _, _, weights in self._before])
         self._is_one = bool((weights == weights[0]).all())
         self._base = float(weights[0]) if self._is_one else 1.0
-        self._moved, self._typed, self._problem = 0.0, typed_number.Typed(), ""
-        self._area, self._x = context.area, event.mouse_x
-        context.window_manager.modal_handler_add(self)
-        self._show(context, event)
-        return {'RUNNING_MODAL'}
+        return ""
 
-    def modal(self, context, event):
-        if event.type == 'MOUSEMOVE':
-            self._moved += (event.mouse_x - self._x) * (_FINE if event.shift else 1.0)
-            self._x = event.mouse_x
-        elif event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
-            return self._confirmed(context)         # Return takes no number of which the header says why not
-        elif not self.takes(event) and event.type in PASSED:
-            return {'PASS_THROUGH'}
-        self._show(context, event)
-        return {'RUNNING_MODAL'}
-
-    def _is_over(self, event):
-        if self.is_drag and event.type == 'LEFTMOUSE':
-            return event.value == 'RELEASE' and not str(self._typed)        # who types lets the button go
-        return event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS'
-
-    def _show(self, context, event):
-        """Give the points the weights that the mouse or the keys say, and tell of it."""
-        self._choose(event)
-        self._problem = ""
+    def show(self):
         if self._is_as_before():
-            _put_back(self._before)
+            self.put_back()
         else:
-            try:
-                _put(self._before, self._numbers, is_passing=True)
-            except FAILURES as error:
-                self._problem = sentence(error)
-        text = self._text()
-        region, _ = picking.view_at(event.mouse_x, event.mouse_y) or (context.region, None)
-        x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
-        state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self._is_odd())
-        if self._area is not None:
-            self._area.header_text_set(": ".join(filter(None, (text, self._problem))))
-        context.workspace.status_text_set(_KEYS)
-        redraw()
+            _put(self._before, self._numbers, is_passing=True)
 
-    def _choose(self, event):
-        """Set kind, weight and factor."""
+    def put_back(self):
+        _put_back(self._before)
+
+    def choose(self, event):
         if str(self._typed):
             self.kind, self.weight = 'SET', self._typed.number or 0.0
             return
-        scale = bpy.context.preferences.system.ui_scale
-        step = (_STEP * (_FINE if event.shift else 1.0)) if event.ctrl else 0.0
-        number = moved(self._base, self._moved / (_DOUBLES * scale), step)
+        step = (_STEP * (FINE if event.shift else 1.0)) if event.ctrl else 0.0
+        number = moved(self._base, scaled(self._moved) / _DOUBLES, step)
         self.kind = 'SET' if self._is_one else 'SCALE'
         setattr(self, "weight" if self._is_one else "factor", number)
 
@@ -124,11 +87,10 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
         """Whether nothing was said: not what was typed."""
         return not str(self._typed) and abs(self._moved) < 1.0
 
-    def _is_odd(self):
+    def is_odd(self):
         return bool(self._problem) or (self.weight if self.kind == 'SET' else self.factor) <= 0.0
 
-    def _text(self):
-        typed = str(self._typed)
+    def text(self, typed):
         if self.kind == 'SCALE':
             return f"Weights × {self.factor:.4g}"
         return f"Weight {typed or f'{self.weight:.4g}'}"
@@ -140,10 +102,9 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
             raise Refusal("a weight of 0 would take the point out of the shape: Send to Infinity makes it a direction")
         return np.full(len(weights), number) if self.kind == 'SET' else weights * number
 
-    def _confirmed(self, context):
-        self._end(context)
+    def confirmed(self, context):
         if self._is_as_before():
-            _put_back(self._before)
+            self.put_back()
             return {'CANCELLED'}
         return self._done(self._before, is_refused_for_good=True)
 
@@ -164,19 +125,6 @@ class SPLINEWRIGHT_OT_weight_here(Typing, bpy.types.Operator):
         count = sum(len(vertices) for _, vertices, _ in chosen)
         text = f"{self.weight:.4g}" if self.kind == 'SET' else f"× {self.factor:.4g}"
         return reports.finished(self, reports.Said(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
-
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
-        self._end(context)
-        _put_back(self._before)
-
-    def _end(self, context):
-        state.weighing = None
-        with suppress(ReferenceError):
-            if self._area is not None:
-                self._area.header_text_set(None)
-        context.workspace.status_text_set(None)
-        redraw()
 
 
 def moved(base, doublings, step=0.0):
@@ -223,27 +171,6 @@ def _put_back(chosen):
     for one in chosen:
         with suppress(*FAILURES):       # live.problem() tells of it
             _put([one], lambda weights: weights, is_passing=True)
-
-
-def _take_in_hand(context, event):
-    """Whether there is a point at the mouse; it is selected then, alone unless it was among the selected ones."""
-    area = picking.area_at(event.mouse_x, event.mouse_y)
-    nets = list(filter(has_weights, editing.nets_in_edit_mode(context)))
-    if area is None:
-        return False
-    pixel = event.mouse_x - area[1].x, event.mouse_y - area[1].y
-    found = seeing.point_at(context, *area, pixel, nets, are_meant=lambda net: net.weighted)
-    if found is None:
-        return False
-    ob, vertex = found
-    session = live.session(ob.data)
-    if vertex not in selection.selected(ob, session.net):
-        for other in editing.nets_in_edit_mode(context):
-            if (known := live.known_session(other.data)):
-                with suppress(Refusal):
-                    selection.select(other, known.net, [vertex] if other == ob else [])
-        bpy.ops.ed.undo_push(message="Select")
-    return True
 
 
 CLASSES = (SPLINEWRIGHT_OT_weight_here,)

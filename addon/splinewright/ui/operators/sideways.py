@@ -1,0 +1,152 @@
+"""What the mouse changes of the selected points of nets by moving sideways, or typed numbers do: what such operators have in
+common."""
+
+from contextlib import suppress
+
+import bpy
+from bpy.props import BoolProperty
+
+from ...bridge.file_state import state
+from ...bridge.net import live, selection
+from ...core import typed_number
+from ...core.failures import FAILURES, Refusal, sentence
+from .. import editing, picking, seeing, weight_overlay
+from . import reports
+from .pointing import PASSED, Typing, redraw
+
+#: With Shift a gesture is so many times slower.
+FINE = 0.1
+_KEYS = "Move: {}   |   Digits: {}   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
+
+
+class Sideways(Typing):
+    """Modal. `_moved` has the pixels of the way of the mouse, `_typed` what was typed, `_problem` why that is refused."""
+
+    bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
+    works_on_nets = True
+    #: What the mouse and digits do, for the status bar.
+    means = "", ""
+
+    at_mouse: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})         # begin with the point there, or leave the key to others
+    is_drag: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # a button is held until it is over
+
+    def nets(self, context):
+        """The nets in Edit Mode whose points may be changed."""
+        raise NotImplementedError
+
+    def is_meant(self, net):
+        """(n,) bool of the points of a core.net.Net that may be changed."""
+        return net.rows >= 0
+
+    def hold(self, context):
+        """Begin with the selected points. Returns why there are none, or ""."""
+        raise NotImplementedError
+
+    def choose(self, event):
+        """Take what was typed, or the way of the mouse."""
+        raise NotImplementedError
+
+    def show(self):
+        """Let the shapes have what was chosen. Raises FAILURES."""
+        raise NotImplementedError
+
+    def put_back(self):
+        """Let the shapes be as they were."""
+        raise NotImplementedError
+
+    def confirmed(self, context):
+        """What modal() returns when it is over and was not called off."""
+        raise NotImplementedError
+
+    def text(self, typed):
+        """What is shown at the mouse."""
+        raise NotImplementedError
+
+    def is_odd(self):
+        """Whether that is shown as a warning."""
+        return bool(self._problem)
+
+    def invoke(self, context, event):
+        if self.at_mouse and not self._take_in_hand(context, event):
+            return {'PASS_THROUGH', 'CANCELLED'}
+        problem = editing.unread(editing.nets_in_edit_mode(context)) or self.hold(context)
+        if problem:
+            return reports.cancelled(self, problem)
+        self._moved, self._typed, self._problem = 0.0, typed_number.Typed(), ""
+        self._area, self._x = context.area, event.mouse_x
+        context.window_manager.modal_handler_add(self)
+        self._follow(context, event)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type == 'MOUSEMOVE':
+            self._moved += (event.mouse_x - self._x) * (FINE if event.shift else 1.0)
+            self._x = event.mouse_x
+        elif event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
+            self._end(context)                      # Return takes no number of which the header says why not
+            return self.confirmed(context)
+        elif not self.takes(event) and event.type in PASSED:
+            return {'PASS_THROUGH'}
+        self._follow(context, event)
+        return {'RUNNING_MODAL'}
+
+    def cancel(self, context):
+        """Also called by Blender, where another file is opened meanwhile."""
+        self._end(context)
+        self.put_back()
+
+    def _is_over(self, event):
+        if self.is_drag and event.type == 'LEFTMOUSE':
+            return event.value == 'RELEASE' and not str(self._typed)        # who types lets the button go
+        return event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS'
+
+    def _follow(self, context, event):
+        """Let the shapes have what the mouse or the keys say, and tell of it."""
+        self.choose(event)
+        self._problem = ""
+        try:
+            self.show()
+        except FAILURES as error:
+            self._problem = sentence(error)
+        text = self.text(str(self._typed))
+        region, _ = picking.view_at(event.mouse_x, event.mouse_y) or (context.region, None)
+        x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
+        state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self.is_odd())
+        if self._area is not None:
+            self._area.header_text_set(": ".join(filter(None, (text, self._problem))))
+        context.workspace.status_text_set(_KEYS.format(*self.means))
+        redraw()
+
+    def _end(self, context):
+        state.weighing = None
+        with suppress(ReferenceError):
+            if self._area is not None:
+                self._area.header_text_set(None)
+        context.workspace.status_text_set(None)
+        redraw()
+
+    def _take_in_hand(self, context, event):
+        """Whether there is a point at the mouse; it is selected then, alone unless it was among the selected ones."""
+        area = picking.area_at(event.mouse_x, event.mouse_y)
+        if area is None:
+            return False
+        pixel = event.mouse_x - area[1].x, event.mouse_y - area[1].y
+        found = seeing.point_at(context, *area, pixel, self.nets(context), are_meant=self.is_meant)
+        if found is None:
+            return False
+        ob, vertex = found
+        if vertex not in selection.selected(ob, live.session(ob.data).net):
+            for other in editing.nets_in_edit_mode(context):
+                if (known := live.known_session(other.data)):
+                    with suppress(Refusal):
+                        selection.select(other, known.net, [vertex] if other == ob else [])
+            bpy.ops.ed.undo_push(message="Select")
+        return True
+
+
+def scaled(pixels):
+    """Pixels of this interface in those of one that is not scaled."""
+    return pixels / bpy.context.preferences.system.ui_scale
