@@ -73,8 +73,9 @@ def new_shape(name, value, collection=None):
 
     collection: where it goes; None for the active collection.
     """
+    place = _place(collection)
     data = shape.new_data(name, value, (12, 12, display.AUTOMATIC))
-    return _linked(bpy.data.objects.new(name, data), collection)
+    return _linked(bpy.data.objects.new(name, data), place)
 
 
 def is_changed_by_hand(object):
@@ -151,7 +152,7 @@ def make(name, inputs=(), settings=None, points=None, axis_object=None, collecti
     they start from; axis_object: the object that gives the axis or plane, where the recipe takes one; collection: as of
     new_shape(). The inputs must be in the scene, and shown. A shape made from objects lies where the first of them lies.
     """
-    found, given = _recipe(name), dict(settings or {})
+    found, given, place = _recipe(name), dict(settings or {}), _place(collection)
     sources = [inputs] if isinstance(inputs, bpy.types.Object) else list(inputs)
     for source in (*sources, *([] if axis_object is None else [axis_object])):
         _require_object(source)
@@ -164,7 +165,7 @@ def make(name, inputs=(), settings=None, points=None, axis_object=None, collecti
     else:
         data = making.from_points(found, points, given, bpy.context.scene)
         ob = bpy.data.objects.new(data.name, data)
-    return _linked(ob, collection)
+    return _linked(ob, place)
 
 
 def loft(curves, **settings):
@@ -306,8 +307,18 @@ def _depsgraph():
     return bpy.context.evaluated_depsgraph_get()
 
 
-def _linked(ob, collection):
-    (collection or bpy.context.collection).objects.link(ob)
+def _place(collection):
+    """The collection for a new object. Raises Refusal where it takes none."""
+    place = bpy.context.collection if collection is None else collection
+    if not isinstance(place, bpy.types.Collection):
+        raise WrongKind(f"a collection of Blender's is expected, not {place!r}")
+    if place.library or place.override_library or bpy.context.scene.library:
+        raise Refusal(f"the collection {place.name} is linked from another file")
+    return place
+
+
+def _linked(ob, place):
+    place.objects.link(ob)
     return ob
 
 

@@ -82,6 +82,22 @@ def test_a_new_shape_goes_where_it_is_told_and_a_bad_one_leaves_nothing():
     assert scene_state() == before
 
 
+def test_a_collection_of_another_file_takes_nothing(tmp_path):
+    bpy.context.scene.collection.children.link(bpy.data.collections.new("Theirs"))
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "library.blend"))
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "library.blend"), link=True) as (_, wanted):
+        wanted.collections = ["Theirs"]
+    profile, before = curve(), scene_state()
+    for call in (lambda: api.new_shape("Line", LINE, wanted.collections[0]),
+                 lambda: api.make('extrude', profile, collection=wanted.collections[0])):
+        with pytest.raises(api.Refusal, match="Theirs is linked"):
+            call()
+        assert scene_state() == before
+    with pytest.raises(TypeError, match="a collection"):
+        api.new_shape("Line", LINE, "Theirs")
+
+
 def test_what_is_no_shape_is_refused_in_words():
     bpy.ops.mesh.primitive_cube_add()
     cube = bpy.context.object

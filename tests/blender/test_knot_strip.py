@@ -97,9 +97,12 @@ def test_knots_that_single_precision_does_not_hold_are_moved_and_never_mistaken(
     assert run('move_knot', knot=5, parameter=single(to), exact=repr(to)) == {'FINISHED'}
     assert value().knots[4] == to
     require_exact(shape())
-    hit = strip.Hit(SimpleNamespace(ob=shape(), number=1, bars=seen.bars_of(shape().data, 1)[0]), 0, 1, to)
-    with pytest.raises(part('core.failures').Refusal, match="Reparameterize"):
-        strip_keys._require_nameable(hit)
+    def hit(at):
+        return strip.Hit(SimpleNamespace(ob=shape(), number=1, bars=seen.bars_of(shape().data, 1)[0]), 0, 1, at)
+    assert strip_keys.SPLINEWRIGHT_OT_insert_on_strip.call(None, bpy.context, hit(1.75 * scale)) == {'FINISHED'}
+    assert [to, 1.75 * scale] == value().knots[4:6].tolist()
+    assert strip_keys.SPLINEWRIGHT_OT_remove_on_strip.call(None, bpy.context, hit(1.75 * scale)) == {'FINISHED'}
+    assert np.array_equal(value().knots, scale * np.array([0, 0, 0, 0, 1.5, 2, 3, 3, 3, 3.0]))
 
 
 @pytest.mark.parametrize('kind, number, to, words', (

@@ -5,17 +5,38 @@ import numpy as np
 from . import decimals
 
 
+#: What is nearer to a knot than this part of all knots lies at it.
+_AT_KNOT = 1e-9
+
+
 class Exact(float):
     """A parameter that was worked out, not typed: it stands for itself."""
 
 
+class Given(float):
+    """A parameter that a command was given with every digit: it stands for itself, or for the knot that it lies at."""
+
+
+def given(number, text):
+    """A number that one of Blender's properties has; Given where the text beside it has that number with every digit."""
+    try:
+        exact = float(text)
+    except ValueError:
+        return number
+    return Given(exact) if decimals.single(exact) == number else number
+
+
 def snapped(number, knots):
-    """decimals.typed(), or of the knots that are this number as float32 the one nearest to it; an Exact one as it is.
+    """decimals.typed(), or of the knots that are this number as float32 the one nearest to it; an Exact one as it is, a Given one
+    or the knot that it lies at.
 
     So a knot such as 1/3 can be named in a property that holds float32.
     """
     if isinstance(number, Exact):
         return float(number)
+    if isinstance(number, Given):
+        nearest = knots[np.abs(knots - number).argmin()]
+        return float(nearest if abs(nearest - number) <= _AT_KNOT * np.ptp(knots) else number)
     number = decimals.typed(number)
     with np.errstate(over='ignore'):
         same = knots[knots.astype(np.float32) == np.float32(number)]

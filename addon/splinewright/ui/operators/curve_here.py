@@ -4,7 +4,7 @@ import bpy
 
 from ...bridge import beside, replacing, surveys
 from ...bridge.file_state import state
-from ...core import meeting
+from ...core import decimals, meeting
 from ...core.failures import FAILURES
 from .. import aim_overlay, hand, picking
 from . import curve_corners, curve_meeting, polls, reports
@@ -78,7 +78,8 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     thing, does = "Part", "trim"
 
     def operator(self, parameter, domain):
-        return bpy.ops.splinewright.trim_curve, {'parameter': parameter, 'meet': self.meet}
+        return bpy.ops.splinewright.trim_curve, {'parameter': decimals.single(parameter), 'exact': repr(float(parameter)),
+                                                'meet': self.meet}
 
     def line_of(self, curves, aimed):
         curve = curves[aimed.number - 1]

@@ -3,7 +3,7 @@
 from functools import partial
 
 import bpy
-from bpy.props import EnumProperty, FloatProperty
+from bpy.props import EnumProperty, FloatProperty, StringProperty
 
 from ...bridge import beside, replacing
 from ...core import decimals, meeting, verbs
@@ -90,6 +90,7 @@ class SPLINEWRIGHT_OT_trim_curve(pieces.FromActive, _Meeting, bpy.types.Operator
     asked = ('parameter',)
 
     parameter: parameter_property("Parameter", "Parameter u on the part that goes")
+    exact: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})      # with every digit, where a click gave it
 
     def first_values(self, curve):
         return (float(curve.domain[1]),)
@@ -98,7 +99,7 @@ class SPLINEWRIGHT_OT_trim_curve(pieces.FromActive, _Meeting, bpy.types.Operator
         return ['parameter', 'meet']
 
     def meeting_verb(self, others):
-        return partial(meeting.trim, decimals.typed(self.parameter), others)
+        return partial(meeting.trim, decimals.meant(self.parameter, self.exact), others)
 
 
 class SPLINEWRIGHT_OT_split_where_met(_Meeting, bpy.types.Operator):

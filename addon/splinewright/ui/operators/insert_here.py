@@ -9,6 +9,7 @@ from ...core import aiming
 from ...core.failures import FAILURES
 from .. import aim_overlay, editing, hand, picking
 from . import meant, reports
+from .on_shapes import at_exactly
 from .pointing import PASSED, redraw
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
@@ -81,7 +82,7 @@ class ByClick:
 
     def done_at(self, aimed, operator, **settings):
         """Do it by another operator."""
-        settings.update(zip(('parameter_u', 'parameter_v'), aimed.parameters))
+        settings.update(at_exactly(*aimed.parameters))
         if len(aimed.parameters) == 2:
             settings['direction'] = aimed.direction
         return reports.called(self, operator, only=aimed.name, piece=aimed.number, **settings)

@@ -5,10 +5,10 @@ of them or along both, one after the other.
 from functools import partial
 
 import bpy
-from bpy.props import BoolProperty, EnumProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from ...bridge import replacing, shape
-from ...core import parameters, patch_verbs, verbs
+from ...core import decimals, parameters, patch_verbs, verbs
 from .. import hand
 from . import pieces
 from .pieces import parameter_property
@@ -89,8 +89,8 @@ class AlongShapes(OnShapes):
 
     def verb_on(self, is_curve):
         if is_curve:
-            return self.verb_along('u', float, 0.0)
-        return patch_verbs.along(self.axes, lambda axis, spent: self.verb_along(axis, float, spent))
+            return self.verb_along('u', _as_it_is, 0.0)
+        return patch_verbs.along(self.axes, lambda axis, spent: self.verb_along(axis, _as_it_is, spent))
 
     def all_settings(self):
         return ['direction', *super().all_settings()]
@@ -119,6 +119,17 @@ class WithNeighbors(AlongShapes):
         return patch_verbs.with_neighbors(definition, self.piece - 1, self.axes, self.verb_along)
 
 
+def at_exactly(*values):
+    """Settings of AtParameters for parameters u and v, or for u of a curve, with every digit."""
+    rounded = zip(('parameter_u', 'parameter_v'), map(decimals.single, values))
+    return {**dict(rounded), 'exact': " ".join(repr(float(value)) for value in values)}
+
+
+def _as_it_is(parameter):
+    """Of the piece that it is done with itself."""
+    return parameter
+
+
 class AtParameters(pieces.FromActive):
     """Begins with the parameters that fit the active curve or patch."""
 
@@ -127,12 +138,16 @@ class AtParameters(pieces.FromActive):
 
     parameter_u: parameter_property("U", "Parameter u")
     parameter_v: parameter_property("V", "Parameter v")
+    #: Both, or that of a curve, with every digit: at_exactly() makes it.
+    exact: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     def first_values(self, piece):
         return patch_verbs.first_parameters(piece, self.first_parameter)
 
     def parameter(self, axis):
-        return getattr(self, f"parameter_{axis}")
+        """With every digit where another command gave it so, as it does those of a click; until it is changed in the redo panel."""
+        texts = dict(zip('uv', self.exact.split()))
+        return parameters.given(getattr(self, f"parameter_{axis}"), texts.get(axis, ""))
 
     def parameters(self):
         """Names of the properties that are asked for."""

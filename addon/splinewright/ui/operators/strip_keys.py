@@ -2,12 +2,12 @@
 
 import bpy
 
-from ...bridge import recipes, sights, store
-from ...core import decimals, parameters, patch_verbs, verbs
-from ...core.failures import FAILURES, Refusal, blenders_refusals
+from ...bridge import recipes, sights
+from ...core.failures import FAILURES, blenders_refusals
 from .. import editing
 from .. import knot_strip as strip
 from . import reports
+from .on_shapes import at_exactly
 
 
 class _OnStrip:
@@ -28,7 +28,6 @@ class _OnStrip:
             return reports.cancelled(self, problem)
         try:
             recipes.require_free(hit.shown.ob.data)
-            _require_nameable(hit)
             with blenders_refusals():
                 return self.call(context, hit)
         except FAILURES as error:
@@ -58,18 +57,9 @@ class SPLINEWRIGHT_OT_remove_on_strip(_OnStrip, bpy.types.Operator):
 
 def _called(name, hit, **settings):
     """The verb of that name for what the strip shows, along its axis."""
-    axis = hit.bar.name or "u"
-    settings.update({'only': hit.shown.ob.name, 'piece': hit.shown.number, 'direction': axis.upper(), f"parameter_{axis}": hit.value})
+    settings.update(at_exactly(hit.value, hit.value), only=hit.shown.ob.name, piece=hit.shown.number,
+                    direction=(hit.bar.name or "u").upper())
     return getattr(bpy.ops.splinewright, name)('INVOKE_DEFAULT', True, **settings)
-
-
-def _require_nameable(hit):
-    """Raises Refusal where single precision, of which the numbers of these verbs are, does not tell a parameter from
-    others."""
-    piece = verbs.pieces_of(store.read(hit.shown.ob.data))[hit.shown.number - 1]
-    axis = patch_verbs.Along(piece, hit.bar.name) if hit.bar.name else piece
-    if parameters.snapped(decimals.single(hit.value), parameters.knots_of(axis)) != hit.value:
-        raise Refusal("these parameters cannot be told apart in single precision: Reparameterize first")
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_on_strip, SPLINEWRIGHT_OT_remove_on_strip)
