@@ -361,6 +361,18 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
         part('ui.preferences').get().show_hints = True
 
 
+@pytest.mark.parametrize('name', TOOLS)
+def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, monkeypatch):
+    hints, state = part('ui.hints'), part('bridge.file_state').state
+    monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
+    assert hints.said(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
+    for field, value in (('is_pointing', True), ('drawn_stroke', ((0, 0, 0),)), ('contour', ("drawn", "longer"))):
+        monkeypatch.setattr(state, field, value)
+        assert hints.said(bpy.context) == [], f"{field}: a gesture has keys of its own"
+        monkeypatch.undo()
+        monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
+
+
 def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
     hints, state, pointed = part('ui.hints'), part('bridge.file_state').state, part('ui.knot_strip').Pointed
     sights = part('bridge.sights').of(bpy.context.scene)

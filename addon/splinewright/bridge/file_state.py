@@ -49,6 +49,7 @@ class FileState:
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    is_pointing: bool = False                           # whether an operator waits for what is clicked
     sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
     rounding: tuple = None                              # while edges are picked that are rounded: ui.edges_overlay.Edges
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse

@@ -10,7 +10,7 @@ from ...core.failures import FAILURES
 from .. import aim_overlay, editing, hand, picking
 from . import meant, reports
 from .on_shapes import at_exactly
-from .pointing import PASSED, redraw
+from .pointing import PASSED, redraw, take_again
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
 #: Pixels, of an interface that is not scaled, that belong to a point.
@@ -160,7 +160,10 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     def clicked(self, aimed):
         if len(aimed.parameters) == 1:
             return {'CANCELLED'}        # a curve is one already
-        return self.done_at(aimed, bpy.ops.splinewright.extract_isocurve)
+        ended = self.done_at(aimed, bpy.ops.splinewright.extract_isocurve)
+        if self.at_once:
+            take_again(bpy.context, bpy.data.objects[aimed.name])
+        return ended
 
 
 def is_possible(context):
