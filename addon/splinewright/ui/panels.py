@@ -2,9 +2,8 @@
 
 import bpy
 
-from ..bridge import baking, derived, follow, placing, recipes, shape, store
+from ..bridge import baking, derived, follow, placing, recipes, shape, store, surveys
 from ..bridge.net import net_object
-from ..core import describe
 from . import manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
 
@@ -48,7 +47,7 @@ class _ShapePanel:
             _draw_state(self.layout, ob)
         else:
             _draw_pinned(self.layout, data)
-        _draw_definition(self.layout, definition)
+        _draw_definition(self.layout, data)
         settings_panel.draw(self.layout, data, definition, has_buttons=is_active)
 
 
@@ -143,9 +142,9 @@ def _draw_following(layout, ob):
     column.operator("splinewright.bake_animation")
 
 
-def _draw_definition(layout, definition):
+def _draw_definition(layout, data):
     column = layout.column(align=True)
-    for label, text in describe.lines(definition):
+    for label, text in surveys.described(data):
         row = column.split(factor=0.3)
         row.label(text=label)
         lines = row.column(align=True)
