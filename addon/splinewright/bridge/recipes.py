@@ -17,6 +17,7 @@ from ..core.recipes.recipe import Recipe
 from ..core.recipes.table import RECIPES
 from . import parameters as properties
 from . import store, watching
+from .file_state import state
 
 #: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
 KEY = "splinewright_recipe"
@@ -76,6 +77,11 @@ def is_from(data, obs):
 def frames(data):
     """The objects whose place and axes alone count, as pointers()."""
     return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []
+
+
+def all_pointers(data):
+    """The objects that a shape is made from, and frames, as pointers()."""
+    return [*pointers(data), *frames(data)]
 
 
 def pointed_by_name(data):
@@ -228,6 +234,7 @@ def remove(data):
     if KEY in data.keys():
         watching.stop(data, WATCHED)
         del data[KEY]
+        state.causes = None
 
 
 def require_free(data):
@@ -287,6 +294,8 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     group[_NAMES] = "\n".join(ob.name if ob else "" for ob in (*sources, *frames))
     store.assign(data, KEY, group)
+    state.causes = None
+    state.overlaid.clear()
     _show(data, recipe, values, frames, len(sources))
     watch(data)
 
