@@ -65,9 +65,8 @@ def _patches(obs):
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.join_here"
     bl_label = "Join Patches by Click"
-    bl_description = ("Click an edge of a patch, and then the edge that is to go on from it: of another patch of the shape, or of "
-                      "the other one of two selected shapes")
-    hint = "Click an edge of a patch, then the one that is to go on from it   |   Esc, Right Mouse: Cancel"
+    bl_description = "Click an edge of a patch, then the edge to join with it, of the same or the other shape"
+    hint = "Click an edge of a patch, then the one to join with it   |   Esc, Right Mouse: Cancel"
     count = 2
 
     @classmethod
@@ -90,7 +89,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.extract_side_here"
     bl_label = "Extract Edge by Click"
-    bl_description = "Click an edge of a patch to extract it as a curve, a shape of its own, exact"
+    bl_description = "Click an edge of a patch to extract it as an exact curve, in a new shape"
     hint = "Click an edge of a patch   |   Esc, Right Mouse: Cancel"
 
     @classmethod
