@@ -61,8 +61,8 @@ def test_every_point_of_a_ring_is_its_radius_from_the_rail(rail):
     made, _ = build.sweep(rail, ring(radius), tolerance=tolerance)
     v = np.linspace(*made.domain[1], 41)
     points = made.evaluate_grid(np.linspace(*made.domain[0], 9), v)
-    centres = rail.evaluate(np.linspace(*rail.domain, 41))
-    assert np.abs(np.linalg.norm(points - centres[None], axis=2) - radius).max() <= 1.01 * tolerance
+    centers = rail.evaluate(np.linspace(*rail.domain, 41))
+    assert np.abs(np.linalg.norm(points - centers[None], axis=2) - radius).max() <= 1.01 * tolerance
 
 
 def test_upright_sections_stay_upright():

@@ -139,7 +139,7 @@ def definition_of(source, depsgraph):
     if shape.has_shape(source):
         return store.read(source.data)
     if not is_possible(source):
-        raise Refusal(f"{source.name} is no curve, surface or Splinewright shape")
+        raise Refusal(f"{source.name} is not a curve, surface or Splinewright shape")
     reading = read_native.read(source, depsgraph)
     if reading.value is None:
         raise Refusal(f"{source.name} shows nothing that could be followed")

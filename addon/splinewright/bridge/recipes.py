@@ -143,7 +143,7 @@ def read(data):
         return None
     group = data[KEY]
     if not store.is_group(group):
-        raise _damaged(data, "it is no group of properties")
+        raise _damaged(data, "it is not a group of properties")
     recipe = _recipe(data, group)
     try:
         sources = _sources(group, recipe)
@@ -156,7 +156,7 @@ def read(data):
 
 def _damaged(data, reason):
     return store.UnreadableDefinition(f"The recipe of {data.name} is damaged ({str(reason)[:200]}): "
-                                      "it is shown as it was last, and Make Editable drops the recipe")
+                                      "it is shown as it was last, and Apply Construction drops the recipe")
 
 
 def _recipe(data, group):
@@ -240,9 +240,9 @@ def remove(data):
 def require_free(data):
     """Raises Refusal where a recipe would write over what is changed by other ways."""
     if follows(data):
-        raise Refusal(f"{data.name} follows another object: use Make Editable first")
+        raise Refusal(f"{data.name} follows another object: use Apply Construction first")
     if has(data):
-        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Make Editable first")
+        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Apply Construction first")
 
 
 def of(data):

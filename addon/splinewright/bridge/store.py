@@ -83,7 +83,7 @@ def reading(data):
 def _group(data):
     """The stored group. Raises UnreadableDefinition where something else is stored."""
     if not is_group(data[KEY]):
-        raise _unreadable("it is no group of properties")
+        raise _unreadable("it is not a group of properties")
     return data[KEY]
 
 

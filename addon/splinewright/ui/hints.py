@@ -11,7 +11,7 @@ _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'M
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
 _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
           "splinewright.pull_here": "Pull Shape", "splinewright.radius_here": "Radius", "splinewright.tilt_here": "Tilt",
-          "splinewright.key_points": "Key Points",
+          "splinewright.key_points": "Insert Point Keyframes",
           "splinewright.pie": "Pie Menu"}
 #: Of what is told by Blender's message bus.
 _owner = object()

@@ -13,7 +13,7 @@ from . import colors, messages, mouse_words, picking, strokes
 
 #: Of an arm, in pixels of an interface that is not scaled.
 _ARM = 70
-#: Of the point, where there is no other colour for it.
+#: Of the point, where there is no other color for it.
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 
 

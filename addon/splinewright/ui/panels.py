@@ -62,7 +62,7 @@ def _draw_state(layout, ob):
         edit_linked.draw_button(layout.row())
         return
     if ob.mode == 'EDIT':
-        texts.draw_problem(layout, "This is the result, not the net: what is changed here is changed by hand")
+        texts.draw_problem(layout, "This is the generated mesh, not the net: changes here count as made by hand")
         column = layout.column(align=True)
         for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
             column.operator("splinewright.leave_result", text=text).how = how

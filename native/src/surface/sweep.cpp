@@ -117,7 +117,7 @@ NumbersAlong scales_of(const SweepOptions& options, const NurbsCurve& rail) {
   return NumbersAlong(given, rail.domain(), rail.periodic(), "scale");
 }
 
-/// What sections are on their way along a rail, whose corners are mitred.
+/// What sections are on their way along a rail, whose corners are mitered.
 class Sweeping {
  public:
   /// @param scale       of the options, or none
@@ -259,7 +259,7 @@ class Sweeping {
       constexpr double kBack = 179.5;
       if (angle > kBack) throw InvalidShape("the rail turns back at " + text_of(at));
       throw InvalidShape("the rail turns by " + std::to_string(std::lround(angle)) + " degrees at " + text_of(at) +
-                         ": a mitre there would reach out too far. Round the corner first");
+                         ": a miter there would reach too far. Round the corner first");
     }
     return normal / length_of(normal);
   }
@@ -305,7 +305,7 @@ std::vector<Placed> placed_on(const NurbsCurve& rail, std::span<const Placed> gi
   const double old_end = old_start + rail.domain().length();
   if (found.size() > 1 && found.front().at == old_start && found.back().at == old_end) {
     if (!is_same(found.front(), found.back())) {
-      throw InvalidShape("the rail is closed: what is given for its end is to be what is given for its start");
+      throw InvalidShape("the rail is closed: its end needs the same values as its start");
     }
     found.erase(found.begin());
   }

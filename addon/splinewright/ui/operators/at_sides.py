@@ -67,8 +67,7 @@ def patches_of(obs):
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.join_here"
     bl_label = "Join Patches by Click"
-    bl_description = ("Click an edge of a patch, and then the edge that is to go on from it: of another patch of the shape, or of "
-                      "the other one of two selected shapes")
+    bl_description = "Click an edge of a patch, then the edge to join with it, of the same or the other shape"
     count = 2
 
     continuity: patch_join.continuity_property(options={'SKIP_SAVE'})
@@ -100,7 +99,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.extract_side_here"
     bl_label = "Extract Edge by Click"
-    bl_description = "Click an edge of a patch to extract it as a curve, a shape of its own, exact"
+    bl_description = "Click an edge of a patch to extract it as an exact curve, in a new shape"
     hint = "Click an edge of a patch   |   Esc, Right Mouse: Cancel"
 
     @classmethod

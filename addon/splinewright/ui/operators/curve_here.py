@@ -84,7 +84,7 @@ class _OnCurve(ByClick):
 class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.trim_here"
     bl_label = "Trim by Click"
-    bl_description = "Click the part of a curve that is to go: up to where it meets other curves, of which all that are shown count"
+    bl_description = "Click the part of a curve to remove, up to where it meets other visible curves"
     thing, does = "Part", "trim"
 
     def operator(self, parameter, domain):
@@ -101,7 +101,7 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.extend_here"
     bl_label = "Extend by Click"
-    bl_description = "Click a curve near the end that is to go on to where it meets another curve, of which all that are shown count"
+    bl_description = "Click a curve near an end to extend it to where it meets another visible curve"
     thing, does = "End nearest", "extend"
 
     how: curve_meeting.how_property(options={'SKIP_SAVE'})

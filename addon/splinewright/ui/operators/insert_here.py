@@ -42,7 +42,7 @@ class ByClick:
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
-            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return is_possible(context)
 
     def invoke(self, context, event):
@@ -124,8 +124,7 @@ class ByClick:
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.insert_here"
     bl_label = "Insert Knot by Click"
-    bl_description = ("Click the curve or patch where a knot is to be; the shape stays the same, and has more control points "
-                      "there")
+    bl_description = "Click a curve or patch to insert a knot there; the shape does not change, but gets more control points"
     thing, does = "Knot", "insert"
 
     def clicked(self, aimed):
@@ -145,7 +144,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
     bl_label = "Extract Isocurve by Click"
-    bl_description = "Click the patch where a curve is to be extracted: a shape of its own, exact"
+    bl_description = "Click a patch to extract an exact isocurve there, as a new shape"
     thing, does = "Isocurve", "extract"
     dimensions = (2,)
     works_on_nets = False

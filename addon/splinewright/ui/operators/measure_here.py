@@ -14,8 +14,8 @@ from .pointing import Pointing, redraw
 class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.measure_here"
     bl_label = "Measure by Click"
-    bl_description = ("Show parameters, point, directions, curvatures and torsion of a shape at the mouse; a click takes the place "
-                      "into the panel Measure, which has all of it")
+    bl_description = ("Show parameters, point, curvatures and torsion of a shape at the mouse; click to measure there in the "
+                      "panel")
     bl_options = {'UNDO'}
     works_on_nets = True
 
