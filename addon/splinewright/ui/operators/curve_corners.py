@@ -24,7 +24,7 @@ def length_property(name, what, least=1e-6, **settings):
 
 
 def joined_property(**settings):
-    return BoolProperty(name="Join", description="Make one curve of both and what is between them", default=True, **settings)
+    return BoolProperty(name="Join", description="Make one curve of both and the corner between them", default=True, **settings)
 
 
 class _Corners(pieces.FromActive, OnCurves):
