@@ -1,4 +1,4 @@
-"""The icons of the tools in Blender's form for them: coloured triangles on a square of 255."""
+"""The icons of the tools in Blender's form for them: colored triangles on a square of 255."""
 
 import math
 import struct
@@ -209,7 +209,7 @@ ICONS = (draw_curve, draw_on_surface, draw_contour, insert_knot, split, isocurve
 
 
 def packed(parts):
-    """The bytes of an icon: the corners of all triangles, then their colours. parts: triangles and the colour of each."""
+    """The bytes of an icon: the corners of all triangles, then their colors. parts: triangles and the color of each."""
     corners = [corner for triangles, _ in parts for triangle in triangles for corner in triangle]
     colors = [color for triangles, color in parts for _ in range(3 * len(triangles))]
     numbers = [min(max(round(number), 0), 255) for corner in corners for number in corner]

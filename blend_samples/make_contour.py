@@ -29,8 +29,8 @@ slot = sc.build.contour([(-0.5, -0.75, 0), (0.5, -0.75, 0), (0.5, -0.45, 0), (-0
 stage.tube(stage.shape([plate, slot], "Plate with a slot", (5.3, 0, 0), 'plum', resolution_u=16), 0.03)
 sides = [sc.BezierCurve(row) for row in ([(-1.1, -0.4, 0), (-1.1, 1.2, 0)], [(1.1, -0.4, 0), (1.1, 1.2, 0)],
                                          [(-1, -0.45, 0), (1, -0.45, 0)])]
-_, centre, radius, _ = sc.build.touching_circle(*sides, (0.5, 0.5, 0.5))
-hole = sc.conics.circle(centre, 0.4 * radius)
+_, center, radius, _ = sc.build.touching_circle(*sides, (0.5, 0.5, 0.5))
+hole = sc.conics.circle(center, 0.4 * radius)
 stage.tube(stage.shape(hole, "Hole about the circle that touches three sides", (5.3, 0, 0), 'sand', resolution_u=16), 0.03)
 stage.label("segments and arcs", (5.3, -1.5), 0.24, 'CENTER')
 stage.drawing((0.1, 0.0), 14.4)

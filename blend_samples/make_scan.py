@@ -1,4 +1,4 @@
-"""A noisy cloud of points, as of a scan, and the clean patch that Fit Patch makes near it, coloured by how far the points are."""
+"""A noisy cloud of points, as of a scan, and the clean patch that Fit Patch makes near it, colored by how far the points are."""
 
 import sys
 from pathlib import Path
@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import stage
 
 COUNT, NOISE = 9000, 0.012
-#: The distance that has the last colour, and of how many points near a place the mean is shown.
+#: The distance that has the last color, and of how many points near a place the mean is shown.
 REACH, NEAR = 0.06, 16
 #: From none to REACH.
 COLORS = np.array([(0.06, 0.16, 0.42), (0.05, 0.40, 0.45), (0.60, 0.62, 0.20), (0.85, 0.35, 0.08), (0.62, 0.03, 0.03)])
@@ -52,8 +52,8 @@ def shown_as_balls(ob, radius):
     ob.instance_type = 'VERTS'
 
 
-def colour(ob, distances):
-    """Give the vertices of a mesh colours of distances, and a material that shows them."""
+def color(ob, distances):
+    """Give the vertices of a mesh colors of distances, and a material that shows them."""
     parts = np.clip(distances / REACH, 0, 1) * (len(COLORS) - 1)
     shades = np.stack([np.interp(parts, range(len(COLORS)), channel) for channel in COLORS.T] + [np.ones(len(parts))], -1)
     column = ob.data.attributes.new(COLUMN, 'FLOAT_COLOR', 'POINT')
@@ -88,7 +88,7 @@ def legend(left, right, y):
     bar.name = "Legend"
     across = np.array([vertex.co[:2] for vertex in bar.data.vertices])
     bar.scale, bar.location = (right - left, 0.16, 1), (0.5 * (left + right), y, GROUND + 0.01)
-    colour(bar, REACH * (across[:, 0] + 0.5))
+    color(bar, REACH * (across[:, 0] + 0.5))
     for part in (0.0, 0.5, 1.0):
         stage.label(f"{part * REACH:g}", (left + part * (right - left), y - 0.24), 0.22, 'CENTER', GROUND + 0.01)
 
@@ -98,7 +98,7 @@ points = scanned()
 scan = cloud(points, "Scan")
 patch = stage.fitted(scan, "Fitted patch", count_u=16, count_v=12, smoothing=1e-7, resolution_u=8, resolution_v=8)
 distances = patch.data.splinewright.value.nearest(np.array([vertex.co for vertex in scan.data.vertices])).distances
-colour(patch, mean_near(patch.data.vertices, points, distances))
+color(patch, mean_near(patch.data.vertices, points, distances))
 fading = np.random.default_rng(15).random(COUNT) < np.clip(-0.25 - 0.6 * points[:, 0], 0, 1)
 shown_as_balls(cloud(points[fading], "Points that are seen"), 0.016)
 scan.hide_render = True

@@ -26,7 +26,7 @@ def bezier(sc, points):
 
 
 def two_beziers(sc, points):
-    """Degree 6 each; the joint lies between its neighbours, so the pair is C1."""
+    """Degree 6 each; the joint lies between its neighbors, so the pair is C1."""
     joint = 0.5 * (points[5] + points[6])
     return [sc.BezierCurve(in_space(np.vstack([points[:6], joint]))),
             sc.BezierCurve(in_space(np.vstack([joint, points[6:]])))]

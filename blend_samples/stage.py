@@ -18,7 +18,7 @@ PALETTE = {
     'tea': (0.16, 0.035, 0.008), 'jam': (0.35, 0.01, 0.02), 'biscuit': (0.62, 0.36, 0.13), 'silver': (0.75, 0.74, 0.72),
     'cloth': (0.55, 0.60, 0.56),
 }
-#: Of the colours that are not as dull as the others.
+#: Of the colors that are not as dull as the others.
 ROUGHNESS = {'porcelain': 0.12, 'cobalt': 0.12, 'tea': 0.04, 'jam': 0.1, 'silver': 0.18, 'biscuit': 0.7, 'cloth': 0.8}
 METALS = {'silver'}
 #: Where the paper of a drawing lies.
@@ -240,12 +240,12 @@ def smooth(strength=2):
     links.new(blur.outputs["Image"], output.inputs["Image"])
 
 
-def drawing(centre, width):
-    """Seen straight from above, in flat colours, as on paper that is `width` wide."""
+def drawing(center, width):
+    """Seen straight from above, in flat colors, as on paper that is `width` wide."""
     ground(PAPER, color='paper')
     for material in bpy.data.materials:
         flatten(material)
-    camera((*centre, 20.0), (*centre, 0.0))
+    camera((*center, 20.0), (*center, 0.0))
     bpy.context.scene.camera.data.type = 'ORTHO'
     bpy.context.scene.camera.data.ortho_scale = width
     bpy.context.scene.render.dither_intensity = 0.0

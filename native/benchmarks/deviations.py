@@ -204,8 +204,8 @@ def at_equal_parameters(surface, sides):
 
 
 def of_filling(surfaces, data, name):
-    """From the sides of neighbours and their tangent planes; and from the sphere in which the hole is."""
-    nets = data[f"{name}.neighbours"]
+    """From the sides of neighbors and their tangent planes; and from the sphere in which the hole is."""
+    nets = data[f"{name}.neighbors"]
     bezier = np.repeat([0.0, 1.0], 3)
     t = np.linspace(0, 1, ALONG)
     sides = [Surface.of_rows((2, 2), (bezier, bezier), net).jets(t, 0 * t)[0] for net in nets]

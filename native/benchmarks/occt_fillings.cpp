@@ -20,9 +20,9 @@ namespace {
 
 using Sides = std::vector<Handle(Adaptor3d_CurveOnSurface)>;
 
-/// Of each neighbour of a hole the side at which v begins.
+/// Of each neighbor of a hole the side at which v begins.
 Sides sides_of(const Run& run, const std::string& workload) {
-  const Numbers rows = run.input(workload + ".neighbours");
+  const Numbers rows = run.input(workload + ".neighbors");
   Sides sides;
   for (const double* net = rows.data(); net != rows.data() + rows.size(); net += 36) {
     TColgp_Array2OfPnt points(1, 3, 1, 3);

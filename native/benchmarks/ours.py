@@ -213,7 +213,7 @@ def length(run):
 
 
 def adaptive(run):
-    """The mesh with its points: a mesh for a modeller has both."""
+    """The mesh with its points: a mesh for a modeler has both."""
     patch_set = sc.PatchSet.from_patches(teapot(run))
     options = alone(sc.Tessellation.adaptive)
 

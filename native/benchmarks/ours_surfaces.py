@@ -53,7 +53,7 @@ def coons(run):
 
 
 def fill(run, count):
-    nets = run.input(f"fill {count}.neighbours", count, 3, 3, 4)
+    nets = run.input(f"fill {count}.neighbors", count, 3, 3, 4)
     knots = np.repeat([0.0, 1.0], 3)
     sides = [(sc.NurbsPatch((2, 2), (knots, knots), net[..., :3], net[..., 3]), "v_start", "G1") for net in nets]
     tolerance = workloads.TOLERANCES[f"W12 fill {count}"]

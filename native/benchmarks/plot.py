@@ -5,7 +5,7 @@ import math
 from PIL import Image, ImageDraw, ImageFont
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-COLOURS = {"splinecore": (36, 99, 174), "SISL": (226, 135, 41), "OCCT": (140, 140, 140),
+COLORS = {"splinecore": (36, 99, 174), "SISL": (226, 135, 41), "OCCT": (140, 140, 140),
            "scipy": (86, 160, 92)}
 WIDTH, LEFT, RIGHT, TOP, BAR, GAP = 1200, 170, 110, 110, 16, 14
 
@@ -31,7 +31,7 @@ def draw(rows, machine, path):
     for row, each in bars:
         canvas.text((LEFT - 12, y + len(each) * BAR / 2), row.workload, fill="black", font=font, anchor="rm")
         for who, value in each:
-            canvas.rectangle([LEFT, y + 1, place(value), y + BAR - 2], fill=COLOURS[who])
+            canvas.rectangle([LEFT, y + 1, place(value), y + BAR - 2], fill=COLORS[who])
             text = f"{value:.3g}" + (f"   {row.ratio:.1f}×" if who == "splinecore" and row.ratio else "")
             canvas.text((place(value) + 5, y + BAR / 2), text, fill="black", font=small, anchor="lm")
             y += BAR
@@ -46,8 +46,8 @@ def heading(canvas, machine, font, small):
     canvas.text((20, 16), "Nanoseconds an item, one thread", fill="black", font=font)
     canvas.text((20, 40), f"{machine['name']}; {machine['versions']}", fill=(90, 90, 90), font=small)
     x = 20
-    for who, colour in [*COLOURS.items(), ("the physical bound", (200, 30, 30))]:
-        canvas.rectangle([x, 68, x + 12, 80], fill=colour)
+    for who, color in [*COLORS.items(), ("the physical bound", (200, 30, 30))]:
+        canvas.rectangle([x, 68, x + 12, 80], fill=color)
         canvas.text((x + 18, 74), who, fill="black", font=small, anchor="lm")
         x += 50 + 8 * len(who)
 

@@ -187,7 +187,7 @@ def of_surfaces():
         "gutter.points": gutter(8), "gutter.knots": uniform_knots(8),
         **{f"coons{k}.points": border(*side, 26 + k) for k, side in sides.items()},
         **{f"coons{k}.knots": uneven_knots(30 + k, side[2]) for k, side in sides.items()},
-        **{f"fill {count}.neighbours": around_hole(polygon(count, 34 + count)) for count in (4, 5)},
+        **{f"fill {count}.neighbors": around_hole(polygon(count, 34 + count)) for count in (4, 5)},
         "offset": np.array([OFFSET]), "pipe_radius": np.array([PIPE_RADIUS]), "angle": np.array([ANGLE]),
         **{f"{name}.tolerance": np.array([tolerance]) for name, tolerance in TOLERANCES.items()},
     }

@@ -22,7 +22,7 @@ using splinecore::Closing;
 using splinecore::InvalidShape;
 using splinecore::KeptEnds;
 using splinecore::KnotVector;
-using splinecore::Parametrisation;
+using splinecore::Parameterization;
 
 namespace {
 
@@ -54,7 +54,7 @@ AnyApproximation approximate(const py::object& points, const py::object& count, 
   if (!knots.is_none() && (number || within)) throw InvalidShape("knots are given, and so neither count nor tolerance");
   if (knots.is_none() && !number && !within) throw InvalidShape("count, knots or tolerance is needed");
   const bool are_chosen = parameters.is_none();
-  const std::vector<double> at = are_chosen ? splinecore::parameters_of(rows, Parametrisation::chordal, closing)
+  const std::vector<double> at = are_chosen ? splinecore::parameters_of(rows, Parameterization::chordal, closing)
                                             : curve_parameters(rows, parameters, order, closing);
   return wrap(unlocked([&] {
     if (within) {

@@ -41,7 +41,7 @@ AnyApproximation approximate_patch(const py::object& points, const py::object& c
     made.smoothing = real(GridArguments::of(smooth, axis), "smoothing");
     made.weights = optional_numbers(GridArguments::of(weighed, axis), "weights");
     if (made.parameters.empty() && !within) {
-      made.parameters = splinecore::parameters_of(grid, axis, splinecore::Parametrisation::chordal, made.closing);
+      made.parameters = splinecore::parameters_of(grid, axis, splinecore::Parameterization::chordal, made.closing);
     }
     const py::object& wanted = GridArguments::of(count, axis);
     if (!wanted.is_none() && !made.knots.empty()) throw InvalidShape("knots are given, and so no counts");

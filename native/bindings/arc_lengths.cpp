@@ -54,8 +54,8 @@ void bind_curve(const CurveClasses& cls) {
           py::arg("cancel") = py::none(),
           "The parameters to which the curve has the lengths s from the start of its domain: (...,) -> (...,).\n\n"
           "The length up to a parameter is off by at most the tolerance times that of the curve. One pass for all\n"
-          "lengths, then Newton's iteration, which never leaves its bracket. A periodic curve goes on: there s may be\n"
-          "any numbers. Where the curve stands still it is the first parameter. InvalidShape names a length below 0\n"
+          "lengths, then Newton's iteration, which never leaves its bracket. A periodic curve repeats: there s may be\n"
+          "any numbers. Where the derivative is zero it is the first parameter. InvalidShape names a length below 0\n"
           "or above that of the curve; and as length(). cancel is a callable that ends a long call by returning True.\n"
           "Row S15.");
   cls.def("divide", [](const AnyCurve& self, const py::object& count, const py::object& tolerance,

@@ -221,7 +221,7 @@ void bind_basis(py::module_& module) {
   bind_matrices(basis);
   Class<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
                            "Where a batch of parameters falls, and with which weights.\n\n"
-                           "Computed once, applied to any rows of numbers: points, weights, colours.");
+                           "Computed once, applied to any rows of numbers: points, weights, colors.");
   seal(bound_samples);
   bound_samples
       .def(py::init([](const py::object& knots, const py::object& u, const py::object& order, const py::object& side) {

@@ -49,7 +49,7 @@ void set_part(const py::object& value, const char* name, double Shaping::*part, 
 
 splinecore::HermiteCurve kochanek_bartels(const py::object& points, const py::object& tension,
                                           const py::object& continuity, const py::object& bias,
-                                          const py::object& parametrisation, const py::object& closed,
+                                          const py::object& parameterization, const py::object& closed,
                                           const py::object& ends) {
   const std::vector<glm::dvec3> rows = points_of(points);
   std::vector<Shaping> shaping(rows.size());
@@ -58,7 +58,7 @@ splinecore::HermiteCurve kochanek_bartels(const py::object& points, const py::ob
   set_part(bias, "bias", &Shaping::bias, shaping);
   const Closing closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
   const EndTangent tangent = ends_of(ends);
-  const std::vector<double> at = parameters_of(rows, parametrisation, closing, "parametrisation");
+  const std::vector<double> at = parameters_of(rows, parameterization, closing, "parameterization");
   return unlocked([&] { return splinecore::kochanek_bartels(rows, shaping, at, closing, tangent); });
 }
 
@@ -137,20 +137,20 @@ void bind_polynomials(py::module_& build) {
 }
 
 void bind_cardinal(py::module_& build) {
-  build.def("catmull_rom", [](const py::object& points, const py::object& parametrisation, const py::object& tension,
+  build.def("catmull_rom", [](const py::object& points, const py::object& parameterization, const py::object& tension,
                               const py::object& closed, const py::object& ends) {
-              return kochanek_bartels(points, tension, py::float_(0.0), py::float_(0.0), parametrisation, closed, ends);
+              return kochanek_bartels(points, tension, py::float_(0.0), py::float_(0.0), parameterization, closed, ends);
             },
-            py::arg("points"), py::arg("parametrisation") = "uniform", py::arg("tension") = 0.0,
+            py::arg("points"), py::arg("parameterization") = "uniform", py::arg("tension") = 0.0,
             py::arg("closed") = false, py::arg("ends") = "parabola",
-            "The HermiteCurve through points (n, 2 or 3) whose tangents come from the neighbours, times 1 - tension:\n"
+            "The HermiteCurve through points (n, 2 or 3) whose tangents come from the neighbors, times 1 - tension:\n"
             "a cardinal spline, with tension 0 Catmull's and Rom's (1974). Lecture row S5.\n\n"
-            "parametrisation: 'uniform', 'centripetal', 'chordal' or increasing parameters, one for each point and\n"
+            "parameterization: 'uniform', 'centripetal', 'chordal' or increasing parameters, one for each point and\n"
             "if closed one more. ends: the tangent at an open end is that of the 'parabola' through three points,\n"
             "of the 'chord', or 'natural', without second derivative. A closed chain has its first point once more\n"
             "as the last. Points that coincide are refused where their distance is the step of the parameter.");
   build.def("kochanek_bartels", &kochanek_bartels, py::arg("points"), py::arg("tension") = 0.0,
-            py::arg("continuity") = 0.0, py::arg("bias") = 0.0, py::arg("parametrisation") = "uniform",
+            py::arg("continuity") = 0.0, py::arg("bias") = 0.0, py::arg("parameterization") = "uniform",
             py::arg("closed") = false, py::arg("ends") = "parabola",
             "catmull_rom() with a tension, a continuity and a bias, each one number or one for each point (n,):\n"
             "incoming and outgoing tangents of Kochanek and Bartels (1984). With a continuity other than 0 the\n"

@@ -146,10 +146,10 @@ void bind_implicit_conic(py::module_& conics) {
   cls.def_property_readonly("type", [](const ImplicitConic& self) { return name_of(self.type()); },
                             "'circle', 'ellipse', 'parabola', 'hyperbola', 'crossing_lines', 'parallel_lines', 'line',\n"
                             "'point' or 'empty'.");
-  cls.def_property_readonly("centre", [](const ImplicitConic& self) -> py::object {
-    const auto point = splinecore::centre(self);
+  cls.def_property_readonly("center", [](const ImplicitConic& self) -> py::object {
+    const auto point = splinecore::center(self);
     return point ? py::object(array_of(*point)) : py::object(py::none());
-  }, "(3,): the centre, a parabola's vertex, a point of a line; None where the conic is empty.");
+  }, "(3,): the center, a parabola's vertex, a point of a line; None where the conic is empty.");
   cls.def_property_readonly("half_lengths", [](const ImplicitConic& self) {
     return py::make_tuple(self.shape().first, self.shape().second);
   }, "(along, across) of the axes; (focal length, 0) of a parabola; (0, half the distance) of parallel lines.");
@@ -191,37 +191,37 @@ void bind_makers(py::module_& conics) {
              }, py::arg("start"), py::arg("tangent"), py::arg("end"),
              "The arc of a circle from a point (3,) in a direction (3,) to another point (3,), a NurbsCurve. InvalidShape if\n"
              "the points are one, or the direction is zero or along the line of both. Lecture row S10.");
-  conics.def("arc_about", [](const py::object& centre, const py::object& start, const py::object& end, const py::object& normal) {
-               return splinecore::arc_about(vector_of(centre, "centre"), vector_of(start, "start"), vector_of(end, "end"),
+  conics.def("arc_about", [](const py::object& center, const py::object& start, const py::object& end, const py::object& normal) {
+               return splinecore::arc_about(vector_of(center, "center"), vector_of(start, "start"), vector_of(end, "end"),
                                             vector_of(normal, "normal"));
-             }, py::arg("centre"), py::arg("start"), py::arg("end"), py::arg("normal") = up,
-             "The arc about a centre (3,) from a point (3,), counterclockwise seen against the normal (3,), to the direction of\n"
-             "another one (3,), a NurbsCurve; a whole circle where that is the same. InvalidShape if a point is the centre, or\n"
+             }, py::arg("center"), py::arg("start"), py::arg("end"), py::arg("normal") = up,
+             "The arc about a center (3,) from a point (3,), counterclockwise seen against the normal (3,), to the direction of\n"
+             "another one (3,), a NurbsCurve; a whole circle where that is the same. InvalidShape if a point is the center, or\n"
              "the normal is zero or along the radius. Lecture row S10.");
-  conics.def("circle", [](const py::object& centre, const py::object& radius, const py::object& normal, const py::object& form) {
-               return splinecore::circle(vector_of(centre, "centre"), real(radius, "radius"), vector_of(normal, "normal"),
+  conics.def("circle", [](const py::object& center, const py::object& radius, const py::object& normal, const py::object& form) {
+               return splinecore::circle(vector_of(center, "center"), real(radius, "radius"), vector_of(normal, "normal"),
                                          form_of(form));
-             }, py::arg("centre"), py::arg("radius"), py::arg("normal") = up, py::arg("form") = "square",
+             }, py::arg("center"), py::arg("radius"), py::arg("normal") = up, py::arg("form") = "square",
              "The whole circle as a NurbsCurve: four quarters on a 'square', three thirds on a 'triangle', two 'halves'\n"
              "with directions in the middle, or a 'single' span of degree 5 (Chou 1995). Lecture row S10.");
-  conics.def("ellipse", [](const py::object& centre, const py::object& axis_a, const py::object& axis_b, const py::object& form) {
-               return splinecore::ellipse(vector_of(centre, "centre"), vector_of(axis_a, "axis_a"),
+  conics.def("ellipse", [](const py::object& center, const py::object& axis_a, const py::object& axis_b, const py::object& form) {
+               return splinecore::ellipse(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                           vector_of(axis_b, "axis_b"), form_of(form));
-             }, py::arg("centre"), py::arg("axis_a"), py::arg("axis_b"), py::arg("form") = "square",
-             "The ellipse centre + cos a axis_a + sin a axis_b as a NurbsCurve, in the forms of circle(). Any two\n"
+             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"), py::arg("form") = "square",
+             "The ellipse center + cos a axis_a + sin a axis_b as a NurbsCurve, in the forms of circle(). Any two\n"
              "conjugate half axes. Lecture row S10.");
-  conics.def("hyperbola", [](const py::object& centre, const py::object& axis_a, const py::object& axis_b) {
-               return splinecore::hyperbola(vector_of(centre, "centre"), vector_of(axis_a, "axis_a"),
+  conics.def("hyperbola", [](const py::object& center, const py::object& axis_a, const py::object& axis_b) {
+               return splinecore::hyperbola(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                             vector_of(axis_b, "axis_b"));
-             }, py::arg("centre"), py::arg("axis_a"), py::arg("axis_b"),
-             "[NurbsCurve, NurbsCurve]: both branches of centre +- cosh t axis_a + sinh t axis_b, each from one asymptote's\n"
+             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"),
+             "[NurbsCurve, NurbsCurve]: both branches of center +- cosh t axis_a + sinh t axis_b, each from one asymptote's\n"
              "direction to the other's with its vertex between. Any two conjugate half axes. Lecture row S10.");
-  conics.def("arc", [](const py::object& centre, const py::object& axis_a, const py::object& axis_b, const py::object& start,
+  conics.def("arc", [](const py::object& center, const py::object& axis_a, const py::object& axis_b, const py::object& start,
                        const py::object& sweep, const py::object& spans) {
-               return splinecore::ellipse_arc(vector_of(centre, "centre"), vector_of(axis_a, "axis_a"),
+               return splinecore::ellipse_arc(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                               vector_of(axis_b, "axis_b"), real(start, "start"), real(sweep, "sweep"),
                                               integer(spans, "span_count"));
-             }, py::arg("centre"), py::arg("axis_a"), py::arg("axis_b"), py::arg("start"), py::arg("sweep"),
+             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"), py::arg("start"), py::arg("sweep"),
              py::arg("span_count") = 0,
              "A part of an ellipse, angles in radians, in span_count spans; 0 for as few as keep each within a\n"
              "quarter turn. A span of half a turn has a direction in its middle, a longer one a negative weight.");

@@ -22,7 +22,7 @@ void bind_curve(const CurveClasses& cls) {
           }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none(),
           "The curve with an arc of a circle in place of each of its corners, at the seam of a closed one, too: a NurbsCurve.\n"
           "Its runs between corners are shortened to where the arcs touch them. Lecture row S18. InvalidShape naming the\n"
-          "corner if no arc of that radius fits between its neighbours, or the curve turns back or is not plane there.");
+          "corner if no arc of that radius fits between its neighbors, or the curve turns back or is not plane there.");
   cls.def("chamfered", [](const AnyCurve& self, const py::object& length, const py::object& cancel) {
             const double by = real(length, "length");
             return unlocked([&] { return splinecore::chamfered(form(self), by); }, cancel);
@@ -51,7 +51,7 @@ void bind_corners(py::module_& module) {
             "Two curves of any kinds in one plane with the arc of a radius that touches both: (a, arc, b), NurbsCurves, each\n"
             "curve shortened to it.\n\n"
             "Of the arcs that leave the parts about the parameters `kept` (2,), one of each curve, it is the nearest one, or one\n"
-            "that takes a curve whole, which is None then. Open curves that have none go on straight up to it; closed ones are\n"
+            "that takes a curve whole, which is None then. Open curves that have none are extended straight to it; closed ones are\n"
             "not cut. Lecture row S18. InvalidShape if there is\n"
             "none; and as fillets().");
   build.def("chamfered", [](const py::object& a, const py::object& b, const py::object& lengths, const py::object& kept,

@@ -123,7 +123,7 @@ void bind_set(Class<PatchSet> cls) {
           py::arg("tangent_u_by") = py::none(), py::arg("tangent_v_by") = py::none(), py::kw_only(),
           py::arg("factors") = py::none(), py::arg("locality") = 0.0,
           "The set with its pool moved as little as can be so that the point of a patch at (u, v) moves by `by` (3,).\n\n"
-          "As NurbsPatch.dragged(), with factors (n,) of the pool. What patches share moves once, and the neighbours go\n"
+          "As NurbsPatch.dragged(), with factors (n,) of the pool. What patches share moves once, and the neighbors go\n"
           "along, as do points that lie in one place. A tangent or twist that serves several corners stays.");
 }
 

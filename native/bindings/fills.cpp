@@ -8,7 +8,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
-#include "neighbours.hpp"
+#include "neighbors.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/cap.hpp"
 #include "splinecore/surface/fill.hpp"
@@ -27,16 +27,16 @@ using splinecore::SideOfPatch;
 
 namespace {
 
-/// Curves of any kinds, and neighbours.
+/// Curves of any kinds, and neighbors.
 std::vector<FillSide> sides_of(const py::object& value) {
   const bool is_list = py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value);
-  if (!is_list) throw py::type_error("sides must be a list of curves and neighbours, not " + type_name(value));
+  if (!is_list) throw py::type_error("sides must be a list of curves and neighbors, not " + type_name(value));
   std::vector<FillSide> sides;
   for (const py::handle& item : value) {
     const std::string name = "sides" + splinecore::index_text(sides.size());
     const auto side = py::reinterpret_borrow<py::object>(item);
     if (py::isinstance<py::tuple>(side)) {
-      sides.emplace_back(*neighbour_of(side, name.c_str()));
+      sides.emplace_back(*neighbor_of(side, name.c_str()));
     } else {
       sides.emplace_back(any_curve(side, name.c_str()));
     }
@@ -48,7 +48,7 @@ void bind_filling(py::module_& module) {
   Class<Filling> cls(module, "Filling", py::module_local(),
                           "What fills a hole: patches, a tuple of NurbsPatch, and how well it goes on (lecture row S21).\n\n"
                           "gap, a length, is the largest distance from a side; angle, in radians, the largest between tangent planes along\n"
-                          "neighbours with 'G1' and 'G2'; curvature_difference, in 1 / length, that of normal curvatures across those with\n"
+                          "neighbors with 'G1' and 'G2'; curvature_difference, in 1 / length, that of normal curvatures across those with\n"
                           "'G2'; inner_angle the largest between tangent planes of patches of the filling.");
   seal(cls);
   cls.def_property_readonly("patches", [](const Filling& self) { return py::tuple(py::cast(self.patches)); },
@@ -119,7 +119,7 @@ void bind_rims(py::module_& build) {
             "u runs along a curve, on its control points, v from there by segments to a point that sees all of the rim; one that is\n"
             "seen whole from nowhere, and one with holes, is cut by chords. Those of a plane rim are plane and do not fold. Normals\n"
             "are on the side from which the first curve runs to the left, or of several loops the widest one.\n\n"
-            "InvalidShape if the curves do not go round, one has a weight that is not positive, or the rim crosses itself or a hole\n"
+            "InvalidShape if the curves do not form a loop, one has a weight that is not positive, or the rim crosses itself or a hole\n"
             "in it, encloses next to nothing, or has too many narrow bends.");
   build.def("open_ends", [](const py::object& patches) {
               const std::vector<NurbsPatch> given = patches_of(patches);
@@ -161,21 +161,21 @@ void bind_fills(py::module_& module) {
               return unlocked([&] { return splinecore::fill(around, options); }, cancel);
             }, py::arg("sides"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = 1e-4,
             py::arg("cancel") = py::none(),
-            "The Filling of a hole of three to eight sides, which are curves of any kinds or neighbours (patch, side, 'G0' to\n"
+            "The Filling of a hole of three to eight sides, which are curves of any kinds or neighbors (patch, side, 'G0' to\n"
             "'G2'), one after the other in any directions: the surface that goes on from these (lecture row S21), with as few\n"
             "control points as come within the tolerance, a length, by default 2^-20 of the size of the sides, and the angle, in\n"
             "radians; the Filling says what was reached.\n\n"
             "A hole with four corners is one patch: from 'G1' the bicubic Coons patch, whose borders are the sides, weights and all, of\n"
             "degree 3 to 7. Otherwise, and where that does not do, patches are of degree 5, or 7 for 'G2', with at most eight spans\n"
             "unless sides need more, by least third derivatives (Sarraga 1987, Greiner 1994) of what lies between them and what\n"
-            "neighbours let expect; other numbers of sides are split from the middle of each to a point. Where all sides go on into\n"
+            "neighbors let expect; other numbers of sides are split from the middle of each to a point. Where all sides go on into\n"
             "each other without a corner, patches run from each, as it is, to a point in which all end; where some do, from\n"
-            "neighbours, they are one side of the hole.\n\n"
-            "Where neighbours do not share their tangent plane at a corner, nothing can go on from both.\n"
+            "neighbors, they are one side of the hole.\n\n"
+            "Where neighbors do not share their tangent plane at a corner, the filling cannot continue both.\n"
             "In wide and deep holes patches go by lines that run from all sides to a point as circles would, where that bends more evenly.\n"
-            "InvalidShape unless there are 3 to 8 sides that go round, or where what fills the hole would fold, as it may where weights or\n"
-            "paces along sides differ much or curvatures are to go on far; or if one with a neighbour turns back over it, or runs on\n"
-            "without a corner into one from no neighbour, or one or two corners are left, or a round hole is not seen whole from its\n"
+            "InvalidShape unless there are 3 to 8 sides that form a loop, or where what fills the hole would fold, as it may where weights or\n"
+            "paces along sides differ much or curvatures are to go on far; or if one with a neighbor turns back over it, or runs on\n"
+            "without a corner into one from no neighbor, or one or two corners are left, or a round hole is not seen whole from its\n"
             "middle;\n"
             "ToleranceNotReached says how far ends of sides lie apart, or how far the filling is from its sides.");
   bind_rims(build);

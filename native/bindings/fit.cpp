@@ -125,7 +125,7 @@ void bind_fit(py::module_& module) {
           "where closed one more. knots, ends, closed: as of interpolate(); None chooses knots by ends.\n\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"
           "Raises InvalidShape with fewer rows than the degree needs, where a coordinate is not finite, where all\n"
-          "points of two neighbouring rows coincide and their distance is the step of the parameter, and for knots that\n"
+          "points of two neighboring rows coincide and their distance is the step of the parameter, and for knots that\n"
           "have too many rows between them; the message names the direction or the point by both indices.");
 }
 

@@ -12,7 +12,7 @@ namespace bindings {
 using splinecore::Axis;
 using splinecore::Closing;
 using splinecore::InvalidShape;
-using splinecore::Parametrisation;
+using splinecore::Parameterization;
 using splinecore::PointGrid;
 
 std::size_t count_of(const py::object& value, const char* name) {
@@ -32,11 +32,11 @@ std::optional<double> positive(const py::object& value, const char* name) {
 namespace {
 
 /// None of 'calm'.
-std::optional<Parametrisation> kind_of(const py::object& word) {
-  using Kind = std::optional<Parametrisation>;
-  return chosen<Kind>(word, "parameters", {{"calm", Kind()}, {"centripetal", Kind(Parametrisation::centripetal)},
-                                           {"chordal", Kind(Parametrisation::chordal)},
-                                           {"uniform", Kind(Parametrisation::uniform)}});
+std::optional<Parameterization> kind_of(const py::object& word) {
+  using Kind = std::optional<Parameterization>;
+  return chosen<Kind>(word, "parameters", {{"calm", Kind()}, {"centripetal", Kind(Parameterization::centripetal)},
+                                           {"chordal", Kind(Parameterization::chordal)},
+                                           {"uniform", Kind(Parameterization::uniform)}});
 }
 
 }  // namespace

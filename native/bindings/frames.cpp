@@ -17,13 +17,13 @@ using splinecore::Side;
 
 namespace {
 
-enum class Kind { frenet, rotation_minimising };
+enum class Kind { frenet, rotation_minimizing };
 
 void require_frenet(std::span<const MovingFrame> frames, const Doubles& at) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
     if (!std::isnan(frames[i].binormal.x)) continue;
     const auto flat = static_cast<py::ssize_t>(i);
-    throw InvalidShape("the curve is straight or stands still at u" + place_text(at, flat) + " = " +
+    throw InvalidShape("the curve is straight or has a zero derivative at u" + place_text(at, flat) + " = " +
                        splinecore::text_of(at.data()[i]) + ": it has no Frenet frame there");
   }
 }
@@ -34,12 +34,12 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   const Doubles at = real_array(u, "u");
   const Side from = side_of(side, "side");
   const Kind chosen_kind = chosen<Kind>(
-      kind, "kind", {{"frenet", Kind::frenet}, {"rotation_minimising", Kind::rotation_minimising}});
+      kind, "kind", {{"frenet", Kind::frenet}, {"rotation_minimizing", Kind::rotation_minimizing}});
   CarriedFrame how;
   if (!start.is_none()) how.start = vector_of(start, "start");
   how.is_closed = boolean(closed, "closed");
   if (chosen_kind == Kind::frenet && (how.start || how.is_closed)) {
-    throw InvalidShape("Frenet frames have no start and are closed of themselves: kind = 'rotation_minimising' takes "
+    throw InvalidShape("Frenet frames have no start, and close where the curve does: kind = 'rotation_minimizing' takes "
                        "start and closed");
   }
   require_inside(curve.knot_vector(), at, from, "u");
@@ -53,7 +53,7 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
     if (chosen_kind == Kind::frenet) {
       splinecore::frenet_frames(curve, parameters, found, from);
     } else {
-      splinecore::rotation_minimising_frames(curve, parameters, found, how, from);
+      splinecore::rotation_minimizing_frames(curve, parameters, found, how, from);
     }
   }, cancel);
   if (chosen_kind == Kind::frenet) require_frenet(found, at);
@@ -65,16 +65,16 @@ void bind_curve(const CurveClasses& cls) {
                        const py::object& closed, const py::object& side, const py::object& cancel) {
             return frames(form(self), u, kind, start, closed, side, cancel);
           },
-          py::arg("u"), py::arg("kind") = "rotation_minimising", py::kw_only(), py::arg("start") = py::none(),
+          py::arg("u"), py::arg("kind") = "rotation_minimizing", py::kw_only(), py::arg("start") = py::none(),
           py::arg("closed") = false, py::arg("side") = "right", py::arg("cancel") = py::none(),
           "Unit tangent, normal and binormal = tangent x normal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
-          "'rotation_minimising' frames turn about the tangent no more than they must, from the start of the domain\n"
+          "'rotation_minimizing' frames rotate around the tangent as little as possible, from the start of the domain\n"
           "on, whatever other parameters are asked for, to about 1e-9: double reflection (Wang, Jüttler, Zheng and\n"
           "Liu 2008) in steps that the curve alone decides. Straight parts keep the frame; at a corner it turns as\n"
           "little as it can. start (3,) is where the normal points at the start of the domain, as far as it is at\n"
           "right angles to the curve; without it it is Frenet's there. closed=True takes back what the frame of a\n"
           "closed curve has turned by at the end, evenly by length.\n"
-          "'frenet' frames are those of frenet_frame(): InvalidShape where the curve is straight or stands still,\n"
+          "'frenet' frames are those of frenet_frame(): InvalidShape where the curve is straight or has a zero derivative,\n"
           "which has none. Also InvalidShape if the curve is a point, or is to be closed and does not close\n"
           "smoothly; PointAtInfinity; ToleranceNotReached where a span turns so wildly that 2^17 halves of steps\n"
           "are not enough. Row S15.");

@@ -7,7 +7,7 @@
 #include "arrays.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
-#include "neighbours.hpp"
+#include "neighbors.hpp"
 #include "point_arguments.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/loft.hpp"
@@ -18,7 +18,7 @@ using splinecore::Closing;
 using splinecore::InvalidShape;
 using splinecore::LoftCorners;
 using splinecore::LoftEnd;
-using splinecore::LoftNeighbour;
+using splinecore::LoftNeighbor;
 using splinecore::LoftOptions;
 using splinecore::LoftSection;
 using splinecore::LoftStyle;
@@ -49,7 +49,7 @@ std::vector<bool> turned_of(const py::object& value) {
   std::vector<bool> turned;
   if (value.is_none()) return turned;
   if (!py::isinstance<py::list>(value) && !py::isinstance<py::tuple>(value)) {
-    throw py::type_error("turned must be a list of truths, not " + type_name(value));
+    throw py::type_error("turned must be a list of bool, not " + type_name(value));
   }
   for (const py::handle& item : value) turned.push_back(boolean(py::reinterpret_borrow<py::object>(item), "turned"));
   return turned;
@@ -98,8 +98,8 @@ void bind_loft(py::module_& build) {
                        const py::object& degree, const py::object& align, const py::object& turned,
                        const py::object& corners, const py::object& weights, const py::object& tolerance, const py::object& knot_distance, const py::object& parameters,
                        const py::object& knots, const py::object& start_tangent, const py::object& end_tangent,
-                       const py::object& start_flat, const py::object& end_flat, const py::object& start_neighbour,
-                       const py::object& end_neighbour, const py::object& cancel) {
+                       const py::object& start_flat, const py::object& end_flat, const py::object& start_neighbor,
+                       const py::object& end_neighbor, const py::object& cancel) {
               const std::vector<LoftSection> through = sections_of(sections);
               LoftOptions options;
               options.style = style_of(style);
@@ -115,10 +115,10 @@ void bind_loft(py::module_& build) {
               options.parameters = optional_numbers(parameters, "parameters");
               options.knots = optional_numbers(knots, "knots");
               options.start.tangent = optional_vector(start_tangent, "start_tangent");
-              options.start.neighbour = neighbour_of(start_neighbour, "start_neighbour");
+              options.start.neighbor = neighbor_of(start_neighbor, "start_neighbor");
               set_flat(options.start, start_flat, "start_flat");
               options.end.tangent = optional_vector(end_tangent, "end_tangent");
-              options.end.neighbour = neighbour_of(end_neighbour, "end_neighbour");
+              options.end.neighbor = neighbor_of(end_neighbor, "end_neighbor");
               set_flat(options.end, end_flat, "end_flat");
               return wrap(unlocked([&] { return splinecore::loft(through, options); }, cancel));
             }, py::arg("sections"), py::kw_only(), py::arg("style") = "normal", py::arg("closed") = false,
@@ -126,8 +126,8 @@ void bind_loft(py::module_& build) {
             py::arg("corners") = "free", py::arg("weights") = "scaled", py::arg("tolerance") = py::none(),
             py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
             py::arg("start_tangent") = py::none(), py::arg("end_tangent") = py::none(), py::arg("start_flat") = py::none(),
-            py::arg("end_flat") = py::none(), py::arg("start_neighbour") = py::none(),
-            py::arg("end_neighbour") = py::none(), py::arg("cancel") = py::none(),
+            py::arg("end_flat") = py::none(), py::arg("start_neighbor") = py::none(),
+            py::arg("end_neighbor") = py::none(), py::arg("cancel") = py::none(),
             "The surface through sections, curves of any kinds or as first and last one points (3,), in which it closes:\n"
             "(value, error), a NurbsPatch with u along the sections and v from one to the next, and how far sections were\n"
             "moved. Skinning (The NURBS Book, 10.3; lecture row S20).\n\n"
@@ -139,7 +139,7 @@ void bind_loft(py::module_& build) {
             "a tolerance, a length, sections may be moved so far for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
             "are those along v.\n\n"
             "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat, the normal (3,) of the tangent plane\n"
-            "in a point, or (normal, speed) by that elsewhere; neighbour (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
+            "in a point, or (normal, speed) by that elsewhere; neighbor (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
             "InvalidShape if there are fewer than two sections, three where closed, an inner one is a point, or weights would\n"
             "not stay positive between sections; ToleranceNotReached.");
 }
@@ -149,8 +149,8 @@ void bind_patch_blend(py::module_& build) {
                                 const py::object& continuity, const py::object& strengths, const py::object& align) {
               const auto [on_a, on_b] = both(continuity, "continuity", "one for each patch");
               const auto [of_a, of_b] = both(strengths, "strengths", "one for each patch");
-              LoftNeighbour from{any_patch(a, "a"), border_of(side_a, "side_a"), continuity_of(on_a, "continuity"), real(of_a, "strengths")};
-              LoftNeighbour to{any_patch(b, "b"), border_of(side_b, "side_b"), continuity_of(on_b, "continuity"), real(of_b, "strengths")};
+              LoftNeighbor from{any_patch(a, "a"), border_of(side_a, "side_a"), continuity_of(on_a, "continuity"), real(of_a, "strengths")};
+              LoftNeighbor to{any_patch(b, "b"), border_of(side_b, "side_b"), continuity_of(on_b, "continuity"), real(of_b, "strengths")};
               const bool is_aligned = boolean(align, "align");
               return unlocked([&] { return splinecore::blend(from, to, is_aligned); });
             }, py::arg("a"), py::arg("side_a"), py::arg("b"), py::arg("side_b"), py::arg("continuity") = "G2",

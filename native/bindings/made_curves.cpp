@@ -102,13 +102,13 @@ void bind_touching_circle(py::module_& build) {
               const auto about = numbers_in<3>(near, "parameters");
               const glm::dvec3 up = vector_of(normal, "normal");
               const auto found = unlocked([&] { return splinecore::touching_circle(curves, about, up); });
-              return py::make_tuple(found.arc, new_numbers(std::span<const double>(&found.centre.x, 3)), found.radius,
+              return py::make_tuple(found.arc, new_numbers(std::span<const double>(&found.center.x, 3)), found.radius,
                                     py::make_tuple(found.parameters[0], found.parameters[1], found.parameters[2]));
             }, py::arg("a"), py::arg("b"), py::arg("c"), py::arg("parameters"),
             py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0),
             "The circle that touches three curves of any kinds in one plane near `parameters` (3,), one of each:\n"
-            "(arc, centre (3,), radius, parameters). The NurbsCurve arc goes from where it touches a through b to c.\n\n"
-            "By Newton's method from the circle through the three places; of Apollonius' eight the one with the centre on that\n"
+            "(arc, center (3,), radius, parameters). The NurbsCurve arc goes from where it touches a through b to c.\n\n"
+            "By Newton's method from the circle through the three places; of Apollonius' eight the one with the center on that\n"
             "side of each curve. Lecture row S18. InvalidShape if the places are on one line, or there is none near them.");
 }
 

@@ -47,11 +47,11 @@ Shape with_more(Shape shape, std::initializer_list<py::ssize_t> more) {
 void require_both_ends(const splinecore::Interval& domain, std::optional<double> start, std::optional<double> end) {
   if (start && !end && std::isfinite(*start) && *start > domain.end) {
     throw InvalidShape("start = " + splinecore::text_of(*start) + " is above " + splinecore::text_of(domain.end) +
-                       ", the end of the domain: an end is wanted, too");
+                       ", the end of the domain: an end is needed, too");
   }
   if (end && !start && std::isfinite(*end) && *end < domain.start) {
     throw InvalidShape("end = " + splinecore::text_of(*end) + " is below " + splinecore::text_of(domain.start) +
-                       ", the start of the domain: a start is wanted, too");
+                       ", the start of the domain: a start is needed, too");
   }
 }
 

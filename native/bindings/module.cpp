@@ -20,7 +20,7 @@ void bind_error(py::module_& module, const char* name, PyObject* kind, const cha
 
 void bind_errors(py::module_& module) {
   module.attr("Error") = py::reinterpret_steal<py::object>(PyErr_NewExceptionWithDoc(
-      "_splinecore.Error", "All that the library raises of its own is one of these.", PyExc_Exception, nullptr));
+      "_splinecore.Error", "Base class of all exceptions raised by the library.", PyExc_Exception, nullptr));
   bind_error<splinecore::InvalidShape>(
       module, "InvalidShape", PyExc_ValueError,
       "Bad input: the message names the argument, the first offending index and its value.");
@@ -28,7 +28,7 @@ void bind_errors(py::module_& module) {
                                           "A point was asked for where the homogeneous weight is zero.");
   bind_error<splinecore::ToleranceNotReached>(
       module, "ToleranceNotReached", PyExc_ArithmeticError,
-      "What was asked for cannot be had within the tolerance: the message says with which error it could.");
+      "What was asked for cannot be reached within the tolerance: the message says with which error it could.");
   bind_error<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError,
                                   "A long call was ended by its cancel argument.");
 }

@@ -7,7 +7,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
-#include "neighbours.hpp"
+#include "neighbors.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/coons.hpp"
 #include "splinecore/surface/network.hpp"
@@ -34,17 +34,17 @@ std::optional<std::vector<std::optional<NurbsCurve>>> across_of(const py::object
   return found;
 }
 
-/// Neighbours; none for None.
-std::vector<splinecore::LoftNeighbour> neighbours_of(const py::object& value) {
-  std::vector<splinecore::LoftNeighbour> found;
+/// Neighbors; none for None.
+std::vector<splinecore::LoftNeighbor> neighbors_of(const py::object& value) {
+  std::vector<splinecore::LoftNeighbor> found;
   if (value.is_none()) return found;
   const bool is_list = py::isinstance<py::list>(value) || (py::isinstance<py::tuple>(value) && py::len(value) == 0);
-  if (!is_list) throw py::type_error("neighbours must be a list of (patch, side, 'G1'), not " + type_name(value));
+  if (!is_list) throw py::type_error("neighbors must be a list of (patch, side, 'G1'), not " + type_name(value));
   for (const py::handle& item : value) {
-    const std::string name = "neighbours" + splinecore::index_text(found.size());
-    const auto neighbour = neighbour_of(py::reinterpret_borrow<py::object>(item), name.c_str());
-    if (!neighbour) throw py::type_error(name + " is None");
-    found.push_back(*neighbour);
+    const std::string name = "neighbors" + splinecore::index_text(found.size());
+    const auto neighbor = neighbor_of(py::reinterpret_borrow<py::object>(item), name.c_str());
+    if (!neighbor) throw py::type_error(name + " is None");
+    found.push_back(*neighbor);
   }
   return found;
 }
@@ -91,22 +91,22 @@ void bind_networks(py::module_& module) {
             "both ends. Ends may lie apart by the tolerance, a length, by default 2^-30 of the size: both go to their middle.\n"
             "With across, for each of four sides None or a curve of vectors without weights, the patch is the bicubic one (Farin\n"
             "2002, 22.3): over [0, 1] in both directions, and its derivative across a side, into the patch, is that at the same\n"
-            "place of the side. One that is None runs smoothly between those along the neighbours, with a neighbour's twists or\n"
+            "place of the side. One that is None runs smoothly between those along the neighbors, with a neighbor's twists or\n"
             "those of the bilinear patch (Adini), as far as these let nothing swing out. Sides then keep their pace: weights are\n"
             "multiplied by a linear function. A derivative must be, at its ends, the one along the next side, within the tolerance;\n"
             "of two twists in a corner the mean is taken, and error is the most by which a derivative was changed.\n\n"
             "InvalidShape if there are not three or four curves, one is closed or ends at infinity, or its end weights have\n"
-            "not one sign, or if a curve of vectors has weights or jumps; ToleranceNotReached says how far neighbours' ends lie\n"
+            "not one sign, or if a curve of vectors has weights or jumps; ToleranceNotReached says how far neighbors' ends lie\n"
             "apart, and which derivative is not that along the next side.");
-  build.def("network", [](const py::object& along_u, const py::object& along_v, const py::object& neighbours,
+  build.def("network", [](const py::object& along_u, const py::object& along_v, const py::object& neighbors,
                           const py::object& tolerance, const py::object& gap, const py::object& cancel) {
               const std::vector<NurbsCurve> u = any_curves(along_u, "along_u");
               const std::vector<NurbsCurve> v = any_curves(along_v, "along_v");
-              const auto beyond = neighbours_of(neighbours);
+              const auto beyond = neighbors_of(neighbors);
               const auto within = tolerance_of(tolerance);
               const auto between = tolerance_of(gap, "gap");
               return unlocked([&] { return splinecore::network(u, v, within, beyond, between); }, cancel);
-            }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("neighbours") = py::none(),
+            }, py::arg("along_u"), py::arg("along_v"), py::kw_only(), py::arg("neighbors") = py::none(),
             py::arg("tolerance") = py::none(), py::arg("gap") = py::none(), py::arg("cancel") = py::none(),
             "The surface through a network of curves of any kinds, each of the first ones meeting each of the others once:\n"
             "(value, error), a NurbsPatch and the largest distance from a curve. The surfaces through either, less the one\n"
@@ -118,12 +118,12 @@ void bind_networks(py::module_& module) {
             "are as many as its control points in one direction. Where both outermost ones of a direction are at different paces,\n"
             "that of the one given first is kept: paces of what is returned tells how far the other is off. If all curves of a\n"
             "direction are closed, the surface is, also through two or three of the others, and begins where the outermost one does.\n\n"
-            "neighbours are (patch, side, 'G1'): from each the surface goes on, in its tangent planes to 1e-4 radians, over the\n"
+            "neighbors are (patch, side, 'G1'): the surface continues each, in its tangent planes to 1e-4 radians, over the\n"
             "outermost curve that lies on that side; rational curves become polynomials then, and all must leave it in these planes.\n\n"
             "gap, a length, is how far curves may pass one another, by default the tolerance; where it is given the surface may lie\n"
             "farther from them by up to 8 times the largest distance at which two do.\n\n"
             "InvalidShape names curves that do not meet once or in the order of the others, and says how near they come, that are\n"
-            "a point or cross another one where a third does, fewer than four closed ones across as few, or a neighbour\n"
+            "a point or cross another one where a third does, fewer than four closed ones across as few, or a neighbor\n"
             "that lies along none of the outermost curves; ToleranceNotReached.");
 }
 

@@ -111,7 +111,7 @@ SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, 
 void bind_seam(py::module_& module) {
   Class<SeamContinuity> cls(
       module, "SeamContinuity", py::module_local(),
-      "How smoothly one patch goes on as another across a side of each (lecture rows S16, S21).\n\n"
+      "The continuity of two patches across a side of each (lecture rows S16, S21).\n\n"
       "gap is a length, angle in [0, pi] lies between the tangent planes (0 where the second goes on, pi where it\n"
       "folds back), curvature_difference is that of the normal curvatures at right angles to the seam, in 1 / length.\n"
       "first_difference and second_difference are those of the derivatives across, relative to the largest of them.\n"

@@ -183,7 +183,7 @@ void bind_patch_set(py::module_& module) {
   Class<PatchSet> cls(
       module, "PatchSet", py::module_local(),
       "PatchSet(points, patches, weights=None)\n\n"
-      "Many patches on one pool of points (n, 2 or 3) with weights (n,), so that neighbours share them.\n"
+      "Many patches on one pool of points (n, 2 or 3) with weights (n,), so that neighbors share them.\n"
       "A patch is an (nu, nv) array of rows of the pool (Bezier), or a dict: kind 'bezier', 'hermite' or\n"
       "'nurbs', indices, and for NURBS degree, knots and periodic (pairs), for Hermite parameters and\n"
       "indices (4, nu, nv) of points (w = 1), tangents along u, along v and twists (w = 0).");

@@ -27,7 +27,7 @@ const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 
 Shape net_shape(const NurbsPatch& patch) { return {patch.count(Axis::u), patch.count(Axis::v)}; }
 
-/// Parts and other parametrisations of any kind of patch, which are of that kind.
+/// Parts and other parameterizations of any kind of patch, which are of that kind.
 template <class Patch>
 void bind_parts(Class<Patch>& cls) {
   cls.def("split", [](const Patch& self, const py::object& axis, const py::object& u) -> py::tuple {

@@ -6,7 +6,7 @@ namespace bindings {
 
 using splinecore::Closing;
 using splinecore::InvalidShape;
-using splinecore::Parametrisation;
+using splinecore::Parameterization;
 
 std::vector<glm::dvec3> points_of(const py::object& points) {
   return vectors(real_array(points, "points"), "points", 1);
@@ -22,18 +22,18 @@ GivenPoints::GivenPoints(const py::object& value, const char* name, int dimensio
   points_ = copies_;
 }
 
-Parametrisation parametrisation_of(const py::object& value, const char* name) {
-  return chosen<Parametrisation>(value, name, {{"centripetal", Parametrisation::centripetal},
-                                               {"chordal", Parametrisation::chordal},
-                                               {"uniform", Parametrisation::uniform}});
+Parameterization parameterization_of(const py::object& value, const char* name) {
+  return chosen<Parameterization>(value, name, {{"centripetal", Parameterization::centripetal},
+                                               {"chordal", Parameterization::chordal},
+                                               {"uniform", Parameterization::uniform}});
 }
 
-std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parametrisation,
+std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parameterization,
                                   splinecore::Closing closing, const char* name) {
-  if (py::isinstance<py::str>(parametrisation)) {
-    return splinecore::parameters_of(points, parametrisation_of(parametrisation, name), closing);
+  if (py::isinstance<py::str>(parameterization)) {
+    return splinecore::parameters_of(points, parameterization_of(parameterization, name), closing);
   }
-  std::vector<double> given = numbers(parametrisation, name);
+  std::vector<double> given = numbers(parameterization, name);
   if (given.empty()) throw InvalidShape(std::string(name) + " has 0 values");
   return splinecore::hermite_parameters(std::move(given), points.size() + (closing == Closing::closed ? 1 : 0), name);
 }

@@ -9,7 +9,7 @@
 
 #include "arrays.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 
 namespace bindings {
 
@@ -38,11 +38,11 @@ std::vector<glm::dvec3> derivatives_of(const py::object& value, const char* name
 std::pair<py::object, py::object> both(const py::object& value, const char* name, const char* of = "one for u, one for v");
 
 /// 'uniform', 'centripetal' or 'chordal'
-splinecore::Parametrisation parametrisation_of(const py::object& value, const char* name);
+splinecore::Parameterization parameterization_of(const py::object& value, const char* name);
 
 /// A word, or the parameters themselves.
 /// @param name  of the argument
-std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parametrisation,
+std::vector<double> parameters_of(std::span<const glm::dvec3> points, const py::object& parameterization,
                                   splinecore::Closing closing, const char* name);
 
 /// The value that a word stands for. @throws py::type_error if it is no text, InvalidShape if not one of them.

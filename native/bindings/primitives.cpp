@@ -43,57 +43,57 @@ Turn turn_of(const py::object& start, const py::object& sweep) {
 }
 
 void bind_round_bodies(py::module_& build) {
-  build.def("cylinder", [](const py::object& centre, const py::object& axis, const py::object& radius,
+  build.def("cylinder", [](const py::object& center, const py::object& axis, const py::object& radius,
                            const py::object& height, const py::object& start, const py::object& sweep) {
-              return splinecore::cylinder(vector_of(centre, "centre"), vector_of(axis, "axis"), real(radius, "radius"),
+              return splinecore::cylinder(vector_of(center, "center"), vector_of(axis, "axis"), real(radius, "radius"),
                                           real(height, "height"), turn_of(start, sweep));
             },
-            py::arg("centre"), py::arg("axis"), py::arg("radius"), py::arg("height"), py::arg("start") = 0.0,
+            py::arg("center"), py::arg("axis"), py::arg("radius"), py::arg("height"), py::arg("start") = 0.0,
             py::arg("sweep") = py::none(),
             "The mantle of a cylinder as a NurbsPatch of degree (2, 1), exact.\n\n"
-            "It stands on the circle about centre (3,), at right angles to axis (3,), of which only the direction\n"
+            "It stands on the circle about center (3,), at right angles to axis (3,), of which only the direction\n"
             "counts. u is the longitude, counterclockwise about the axis, v in [0, 1] the height; normals point\n"
             "outwards. start and sweep are radians: None is a whole turn, periodic in u; a negative sweep runs\n"
             "clockwise and turns the normals over. InvalidShape names what is not finite, no positive length, an axis\n"
             "without direction, or a sweep that is 0 or more than a turn. The NURBS Book, 8.3; row S20.");
-  build.def("cone", [](const py::object& centre, const py::object& axis, const py::object& radius,
+  build.def("cone", [](const py::object& center, const py::object& axis, const py::object& radius,
                        const py::object& height, const py::object& top_radius, const py::object& start,
                        const py::object& sweep) {
-              return splinecore::cone(vector_of(centre, "centre"), vector_of(axis, "axis"), real(radius, "radius"),
+              return splinecore::cone(vector_of(center, "center"), vector_of(axis, "axis"), real(radius, "radius"),
                                       real(height, "height"), real(top_radius, "top_radius"), turn_of(start, sweep));
             },
-            py::arg("centre"), py::arg("axis"), py::arg("radius"), py::arg("height"), py::arg("top_radius") = 0.0,
+            py::arg("center"), py::arg("axis"), py::arg("radius"), py::arg("height"), py::arg("top_radius") = 0.0,
             py::arg("start") = 0.0, py::arg("sweep") = py::none(),
             "The mantle of a cone as a NurbsPatch of degree (2, 1), truncated where top_radius is not 0.\n\n"
-            "As cylinder(), from the circle of radius about centre up to that of top_radius. A radius of 0 is a\n"
+            "As cylinder(), from the circle of radius about center up to that of top_radius. A radius of 0 is a\n"
             "tip: the edge is a pole. InvalidShape if both are 0. The NURBS Book, 8.5; row S20.");
-  build.def("disc", [](const py::object& centre, const py::object& axis, const py::object& radius,
+  build.def("disc", [](const py::object& center, const py::object& axis, const py::object& radius,
                        const py::object& start, const py::object& sweep) {
-              return splinecore::disc(vector_of(centre, "centre"), vector_of(axis, "axis"), real(radius, "radius"),
+              return splinecore::disc(vector_of(center, "center"), vector_of(axis, "axis"), real(radius, "radius"),
                                       turn_of(start, sweep));
             },
-            py::arg("centre"), py::arg("axis"), py::arg("radius"), py::arg("start") = 0.0,
+            py::arg("center"), py::arg("axis"), py::arg("radius"), py::arg("start") = 0.0,
             py::arg("sweep") = py::none(),
             "A flat disc as a NurbsPatch of degree (2, 1): u is the angle, v runs from the rim to the pole inside.\n\n"
             "Its normal is the axis; its rim is that of a cylinder() or cone() about the same axis, which it closes.\n"
             "The rest as for cylinder(). Row S20.");
-  build.def("sphere", [](const py::object& centre, const py::object& radius, const py::object& axis,
+  build.def("sphere", [](const py::object& center, const py::object& radius, const py::object& axis,
                          const py::object& start, const py::object& sweep) {
-              return splinecore::sphere(vector_of(centre, "centre"), real(radius, "radius"), vector_of(axis, "axis"),
+              return splinecore::sphere(vector_of(center, "center"), real(radius, "radius"), vector_of(axis, "axis"),
                                         turn_of(start, sweep));
             },
-            py::arg("centre"), py::arg("radius"), py::arg("axis") = py::make_tuple(0.0, 0.0, 1.0),
+            py::arg("center"), py::arg("radius"), py::arg("axis") = py::make_tuple(0.0, 0.0, 1.0),
             py::arg("start") = 0.0, py::arg("sweep") = py::none(),
             "A sphere as a NurbsPatch of degree (2, 2): u is the longitude, v in [0, 2] the latitude from south to\n"
             "north; both edges in v are poles. Normals point outwards.\n\n"
             "The rest as for cylinder(). The NURBS Book, 8.5; row S20.");
-  build.def("torus", [](const py::object& centre, const py::object& axis, const py::object& ring_radius,
+  build.def("torus", [](const py::object& center, const py::object& axis, const py::object& ring_radius,
                         const py::object& tube_radius, const py::object& start, const py::object& sweep) {
-              return splinecore::torus(vector_of(centre, "centre"), vector_of(axis, "axis"),
+              return splinecore::torus(vector_of(center, "center"), vector_of(axis, "axis"),
                                        real(ring_radius, "ring_radius"), real(tube_radius, "tube_radius"),
                                        turn_of(start, sweep));
             },
-            py::arg("centre"), py::arg("axis"), py::arg("ring_radius"), py::arg("tube_radius"), py::arg("start") = 0.0,
+            py::arg("center"), py::arg("axis"), py::arg("ring_radius"), py::arg("tube_radius"), py::arg("start") = 0.0,
             py::arg("sweep") = py::none(),
             "A torus as a NurbsPatch of degree (2, 2), periodic in v and for a whole turn in u.\n\n"
             "The middle of its tube runs on the circle of ring_radius; v goes around the tube from the outer equator\n"

@@ -136,7 +136,7 @@ void bind_rails(py::module_& module) {
             "`up` (3,) as it can; 'parallel' does not turn. Sections grow up to end_scale, and turn by twist, in radians, evenly\n"
             "by the length of the rail; scales (n, 2), parameters of the rail and factors, make them grow without overshoot,\n"
             "and `scale`, a curve over the domain of the rail, by what its x is there. Exact if parallel or the rail is straight, otherwise within the tolerance, a length, by\n"
-            "default 2^-20 of the size of the rail. Corners between straight stretches are mitred.\n"
+            "default 2^-20 of the size of the rail. Corners between straight stretches are mitered.\n"
             "InvalidShape if there is no section, `at` does not increase or leaves the rail, the rail runs along `up`, turns\n"
             "back, or has a corner beside a curved stretch, or a scale has another domain, jumps or has a point that is not above\n"
             "0; ToleranceNotReached.");

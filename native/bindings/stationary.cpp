@@ -60,7 +60,7 @@ void bind_curve(const CurveClasses& cls) {
           "a polynomial in Bernstein's form on every span, by halving (Lane and Riesenfeld 1981); places that\n"
           "rounding does not tell apart are one. Of a curve that passes through infinity the finite places count.\n"
           "cancel is a callable that ends a long call by returning True. InvalidShape if the point is not finite\n"
-          "or too far away, or, naming an interval, where the distance is constant, as from a circle's centre.");
+          "or too far away, or, naming an interval, where the distance is constant, as from a circle's center.");
   cls.def("nearest_all", [](const AnyCurve& self, const py::object& point, const py::object& tolerance,
                             const py::object& cancel) {
             return nearest_all(form(self), point, tolerance, cancel);
@@ -84,7 +84,7 @@ void bind_patch(const PatchClasses& cls) {
           "in Bernstein's form on every pair of spans, by halving (Sherbrooke and Patrikalakis 1993) and Newton's\n"
           "method; places that rounding does not tell apart are one. cancel is a callable that ends a long call\n"
           "by returning True. InvalidShape if the point is not finite or too far away, or, naming one of them,\n"
-          "where such places are a curve or more, as from the centre of a sphere.");
+          "where such places are a curve or more, as from the center of a sphere.");
   cls.def("nearest_all", [](const AnyPatch& self, const py::object& point, const py::object& tolerance,
                             const py::object& cancel) {
             return nearest_all(patch_form(self), point, tolerance, cancel);

@@ -64,9 +64,9 @@ void bind_extend_patch(py::module_& build) {
               return unlocked([&] { return splinecore::extended(given, at, by, as); });
             }, py::arg("patch"), py::arg("side"), py::arg("length"), py::arg("how") = "natural",
             "The patch made longer at a side by a length, on average along it: a NurbsPatch that keeps its parameters, the domain\n"
-            "grows. how is 'natural': each line goes on by the polynomials of its last span (row S20); 'straight': along its\n"
+            "grows. how is 'natural': each line continues by the polynomials of its last span (row S20); 'straight': along its\n"
             "tangent.\n"
-            "InvalidShape if the length is not above 0, or 2^40 times longer or shorter than the patch, the direction is periodic, lines stand still at the side, or run to\n"
+            "InvalidShape if the length is not above 0, or 2^40 times longer or shorter than the patch, the direction is periodic, lines have a zero derivative at the side, or run to\n"
             "infinity before that length.");
 }
 
@@ -87,13 +87,13 @@ void bind_match(py::module_& build) {
             }, py::arg("patch"), py::arg("side"), py::arg("onto"), py::arg("onto_side"), py::arg("continuity") = "G1", py::kw_only(),
             py::arg("rows") = py::none(), py::arg("strength") = 1.0, py::arg("reversed") = py::none(),
             py::arg("cancel") = py::none(),
-            "The patch whose side is that of another one, and which goes on from there as that does, 'G0' to 'G3': (value, error),\n"
+            "The patch whose side is that of another one, continuing it smoothly, 'G0' to 'G3': (value, error),\n"
             "a NurbsPatch over the same domain, and the largest distance by which a point moved (Farin 2002; row S21).\n\n"
             "The first rows of control points beside the side follow from the other patch's derivatives, at the speed with which they\n"
             "move least times the strength, or at a lower one where weights would not stay positive, or points would lie off the\n"
             "straight ways out by more than 1.5 times these; of `rows` that may move the others go with them evenly, and the rest stay\n"
             "where they are. Without `reversed` the nearer ends say which way the sides run.\n"
-            "InvalidShape if rows are too few, a patch stands still across its side, or that is the seam of a periodic direction;\n"
+            "InvalidShape if rows are too few, a patch has a zero derivative across its side, or that is the seam of a periodic direction;\n"
             "ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians, or off the curvatures by\n"
             "more than a thousandth of the largest.");
 }
@@ -152,11 +152,11 @@ void bind_fillet_chain(py::module_& build) {
               return unlocked([&] { return splinecore::fillet_chain(given, radii, within); }, cancel);
             }, py::arg("edges"), py::arg("radius"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
             "The RoundedEdge of each of several edges that follow each other, by one ball that rolls on from each to the next.\n\n"
-            "edges is a sequence of (patch, side, patch, side). First patches go on as each other across the joints of the chain, and\n"
-            "so do the second ones; a chain that ends where it begins is rounded all round. Patches and fillets share their sides\n"
+            "edges is a sequence of (patch, side, patch, side). First patches continue each other across the joints of the chain, and\n"
+            "so do the second ones; a chain that ends where it begins is rounded all around. Patches and fillets share their sides\n"
             "along the chain and at its joints: the same points on the same knots. radius and tolerance are those of\n"
             "fillet_patches(), but for places: k and a share of edge k.\n"
-            "InvalidShape if edges do not follow each other, meet in a corner, or patches do not go on as each other;\n"
+            "InvalidShape if edges do not follow each other, meet in a corner, or patches do not continue each other;\n"
             "ToleranceNotReached.");
 }
 

@@ -77,7 +77,7 @@ void bind_end_verbs(Class<NurbsCurve>& cls) {
   cls.def("clamped", [](const NurbsCurve& self) { return unlocked([&] { return splinecore::clamped(self); }); },
           "The same curve with both ends in its outer control points; a periodic one is cut at its seam.\nRow S15.");
   cls.def("unclamped", [](const NurbsCurve& self) { return unlocked([&] { return splinecore::unclamped(self); }); },
-          "The same curve on knots that go on outside the domain; a periodic one is unrolled.\n"
+          "The same curve on knots that continue outside the domain; a periodic one is unrolled.\n"
           "InvalidShape where weights at an end are so different that rounding would move the curve.\n"
           "The NURBS Book, A12.1; row S15.");
   cls.def("to_periodic", [](const NurbsCurve& self, const py::object& tolerance) {
@@ -144,7 +144,7 @@ void bind_verbs(Class<NurbsCurve>& cls) {
 void bind_continuity(py::module_& module) {
   Class<Continuity> cls(
       module, "Continuity", py::module_local(),
-      "How smoothly a curve goes on where two of its pieces, or two curves, meet (lecture row S16).\n\n"
+      "The continuity of a curve where two of its pieces, or two curves, meet (lecture row S16).\n\n"
       "gap is a length, angle lies in [0, pi], curvature_difference is the length of the difference of the two\n"
       "curvature vectors. c counts the derivatives that agree, -1 for a gap; it is the degree where there is no\n"
       "joint at all. g is -1, 0, 1, 2, or c where that is more.");

@@ -16,7 +16,7 @@ class Layout:
         object.__setattr__(self, 'enabled', whole.enabled if whole else True)
 
     def __setattr__(self, name, value):
-        """Such as alert, which says nothing. A part of what is grey is grey."""
+        """Such as alert, which says nothing. A part of what is gray is gray."""
         if name == 'enabled':
             object.__setattr__(self, name, self.enabled and value)
 

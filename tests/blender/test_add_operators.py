@@ -70,7 +70,7 @@ def test_degrees_counts_and_knots_reach_the_definition():
     assert line.degree == 1 and np.array_equal(line.points[:, 0], np.linspace(-1, 1, 4)) and not line.points[:, 1:].any()
 
 
-def test_the_handles_of_a_bezier_chain_are_a_third_of_the_way_between_the_neighbours():
+def test_the_handles_of_a_bezier_chain_are_a_third_of_the_way_between_the_neighbors():
     value = add('add_bezier_chain', count=5).data.splinewright.value
     first, second = value.to_bezier()[:2]
     assert np.allclose(first.points[3] - first.points[2], second.points[1] - second.points[0])

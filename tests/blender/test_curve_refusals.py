@@ -21,7 +21,7 @@ REFUSED = (
     ('insert_knot', {'parameter_u': 0.0}, 'nurbs', "multiplicity 5"),
     ('insert_knot', {'parameter_u': 1 / 3, 'times': 8}, 'nurbs', "times|multiplicity"),
     ('remove_knot', {}, 'cubic', "no inner knot"),
-    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'nurbs', "no knot that can be removed"),
+    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'nurbs', "not a knot that can be removed"),
     ('remove_knot', {'times': 5}, 'nurbs', "times = 5"),
     ('remove_knot', {'limited': True, 'tolerance': 1e-3}, 'nurbs', "within 0.001: the error would be"),
     ('remove_knots', {'tolerance': 1e-3}, 'nurbs', "no knot can go"),
@@ -44,7 +44,7 @@ REFUSED = (
     ('to_bezier', {}, 'quintic', "already"), ('to_nurbs', {}, 'periodic', "already"),
     ('to_hermite', {}, 'hermite', "already"), ('to_hermite', {}, 'quintic', "degree = 5"),
     ('to_hermite', {}, 'rational cubic', "not rational"), ('to_hermite', {}, 'hyperbola', "infinity"),
-    ('to_hermite', {'tolerance': 1e-12}, 'large circle', "cannot be had"),
+    ('to_hermite', {'tolerance': 1e-12}, 'large circle', "cannot approximate"),
     ('reverse', {'piece': 2}, 'cubic', "1 piece, there is none of number 2"),
     ('reverse', {'piece': 5}, 'many curves', "4 pieces, there is none of number 5"),
     ('insert_knot', {'parameter_u': 0.3}, 'many curves', "piece 2: u = 0.3 is outside"),
@@ -77,7 +77,7 @@ def test_a_recipe_a_follower_and_what_was_changed_by_hand_are_refused(name):
     follower = bpy.context.object
     touched = add([value_of('nurbs'), value_of('cubic')], "touched")
     by_hand(touched)
-    for ob, word in ((circle, "Make Editable"), (follower, "Make Editable"), (touched, "changed by hand")):
+    for ob, word in ((circle, "Apply Construction"), (follower, "Apply Construction"), (touched, "changed by hand")):
         activate(ob)
         before = state(ob)
         with pytest.raises(RuntimeError, match=word):

@@ -251,9 +251,9 @@ def test_a_conic_becomes_hermite_within_the_tolerance(kind, tolerance, said):
     run('to_hermite', tolerance=tolerance)
     chain = ob.data.splinewright.value
     assert isinstance(chain, sc.HermiteCurve)
-    centre, radius = ((0, 0, 0), 1.0) if kind == 'semicircle' else ((0.5, 0, 0), 2.0)
+    center, radius = ((0, 0, 0), 1.0) if kind == 'semicircle' else ((0.5, 0, 0), 2.0)
     points = chain.evaluate(np.linspace(*chain.domain, 20001))
-    error = np.abs(np.linalg.norm(points - centre, axis=1) - radius).max()
+    error = np.abs(np.linalg.norm(points - center, axis=1) - radius).max()
     assert 0 < error <= 1.06 * said_distance(said[0]) and said_distance(said[0]) <= 1.06 * tolerance
 
 

@@ -175,7 +175,7 @@ def test_a_scene_as_what_is_followed_is_a_sentence_and_make_editable_the_way_out
     ob = witness[1]
     ob.data[recipes.KEY]['input'] = bpy.context.scene
     activate(ob)
-    assert "damaged" in drawn() and "Make Editable" in drawn()
+    assert "damaged" in drawn() and "Apply Construction" in drawn()
     bpy.ops.splinewright.make_editable()
     assert not recipes.has(ob.data) and "damaged" not in drawn()
     bpy.ops.splinewright.edit_net()

@@ -41,7 +41,7 @@ def test_a_revolve_is_exact_unless_asked_and_says_how_near_it_is():
     assert len(ob.data.splinewright.value.points) > len(after.points)
 
 
-def test_a_pulled_exact_one_lists_its_creases_and_colours_them():
+def test_a_pulled_exact_one_lists_its_creases_and_colors_them():
     ob = vase()
     drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
     assert "No seams" in drawn.texts and "4 knots inside" in " ".join(drawn.texts)
@@ -50,7 +50,7 @@ def test_a_pulled_exact_one_lists_its_creases_and_colours_them():
     assert survey.count and all(joint.name.startswith("crease u") for joint in survey.joints)
     drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
     assert "crease u 1" in drawn.texts and "splinewright.hold_seam" not in drawn.operators
-    assert len(overlay.coloured_lines(ob.data)) == survey.count
+    assert len(overlay.colored_lines(ob.data)) == survey.count
     enter()
     assert "crease u 1" in drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context).texts
     leave()
@@ -118,7 +118,7 @@ def test_made_editable_they_become_deformable_and_stay_smooth_when_pulled(kind):
 def test_what_follows_without_such_a_parameter_is_refused_by_name():
     activate(add(sc.conics.circle((0, 0, 0), 1.0)))
     assert op(bpy.ops.splinewright.add_extrude) == {'FINISHED'}
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.make_deformable)
     op(bpy.ops.splinewright.make_editable)
     assert (deformed(bpy.context.object).weights == 1).all()

@@ -89,7 +89,7 @@ def editing_points(ob):
 
 
 def test_arcs_of_a_contour_that_are_no_numbers_are_refused():
-    with pytest.raises(RuntimeError, match="is no number of a side"):
+    with pytest.raises(RuntimeError, match="is not a number of a side"):
         op(bpy.ops.splinewright.add_contour, arcs="two")
     assert op(bpy.ops.splinewright.add_contour, arcs="2-3, 99", corners='cut') == {'FINISHED'}
 

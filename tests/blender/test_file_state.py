@@ -90,7 +90,7 @@ def test_a_mistake_of_ours_is_no_advice_and_stops_no_other_follower(monkeypatch,
     for source in sources:
         source.data.splinewright.value = sc.BezierCurve(points(5))
     bpy.context.view_layer.update()
-    assert "mistake of Splinewright's own" in follow.problem(followers[0].data)
+    assert "an error in Splinewright" in follow.problem(followers[0].data)
     assert follow.problem(followers[1].data) == ""
     assert followers[1].data.splinewright.value == sources[1].data.splinewright.value
     assert "KeyError" in capfd.readouterr().err

@@ -196,9 +196,9 @@ def test_numbers_on_vertices_and_corners_lie_where_they_lay():
     heat = mesh.attributes.new("heat", 'FLOAT', 'POINT')
     heat.data.foreach_set('value', vertices(mesh)[:, 0] * 2)
     paint = mesh.attributes.new("paint", 'FLOAT_COLOR', 'CORNER')
-    colours = np.ones((len(mesh.loops), 4), np.float32)
-    colours[:, :2] = corner_positions(mesh)[:, :2] / 3
-    paint.data.foreach_set('color', colours.ravel())
+    colors = np.ones((len(mesh.loops), 4), np.float32)
+    colors[:, :2] = corner_positions(mesh)[:, :2] / 3
+    paint.data.foreach_set('color', colors.ravel())
     refine(ob)
     assert len(mesh.polygons) != 63
     assert np.allclose(read(mesh.attributes["heat"], 'value')[:, 0], 2 * vertices(mesh)[:, 0], atol=1e-4)
@@ -212,10 +212,10 @@ def test_whole_numbers_and_switches_are_those_of_the_nearest_place():
     mesh.attributes.new("half", 'BOOLEAN', 'FACE').data.foreach_set('value', face_positions(mesh)[:, 0] > 1.5)
     mesh.attributes.new("third", 'INT', 'POINT').data.foreach_set('value', (vertices(mesh)[:, 1] > 1.6).astype(np.int32))
     refine(ob)
-    centres = face_positions(mesh)
+    centers = face_positions(mesh)
     half = np.array([item.value for item in mesh.attributes["half"].data])
-    sure = np.abs(centres[:, 0] - 1.5) > 0.01
-    assert (half[sure] == (centres[sure, 0] > 1.5)).all() and half.any() and not half.all()
+    sure = np.abs(centers[:, 0] - 1.5) > 0.01
+    assert (half[sure] == (centers[sure, 0] > 1.5)).all() and half.any() and not half.all()
     third = np.array([item.value for item in mesh.attributes["third"].data])
     y = vertices(mesh)[:, 1]
     assert (third[y < 1.5] == 0).all() and (third[y > 2.3] == 1).all()
@@ -261,7 +261,7 @@ def set_uvs(layer, flat):
     data.foreach_set(field, np.ascontiguousarray(flat, np.float32))
 
 
-def test_materials_of_patches_modifiers_and_colours_stay_whatever_faces_there_are():
+def test_materials_of_patches_modifiers_and_colors_stay_whatever_faces_there_are():
     ob = add(starters.teapot())
     for name in ("china", "gold"):
         ob.data.materials.append(bpy.data.materials.new(name))

@@ -296,7 +296,7 @@ def test_the_last_points_are_refused_in_words_and_the_others_count():
     op(bpy.ops.curve.delete, type='VERT')
     held().data.update_tag()
     bpy.context.view_layer.update()
-    assert "one point is no curve" in live.problem(held())
+    assert "a curve needs two points" in live.problem(held())
     assert value() == before
     bpy.ops.ed.undo()
     assert followed() == before

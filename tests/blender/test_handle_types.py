@@ -1,4 +1,4 @@
-"""Handle types of chains: kept from Make Exact to Make Native, acting live in the net as in Blender's own curves, kept when
+"""Handle types of chains: kept from Convert to Splinewright to Make Native, acting live in the net as in Blender's own curves, kept when
 they are set."""
 
 import itertools

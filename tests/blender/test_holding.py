@@ -12,7 +12,7 @@ from test_files import reopen, save
 held, live, net_object, store = (part(name) for name in ('bridge.held', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
 
 
-def neighbours(count=2):
+def neighbors(count=2):
     rng = np.random.default_rng(4)
     u, v = np.meshgrid(np.arange(6.0), np.arange(5.0), indexing='ij')
     knots = [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 0, 0, 0, 1, 2, 2, 2, 2]
@@ -63,7 +63,7 @@ def followed():
 @pytest.mark.parametrize('moves', ('second', 'first', 'both'))
 @pytest.mark.parametrize('continuity', ('G1', 'C1', 'G2', 'C2'))
 def test_a_seam_holds_while_either_side_is_edited(continuity, moves):
-    add(neighbours())
+    add(neighbors())
     hold(continuity, moves)
     require_smooth(continuity)
     held_net = enter()
@@ -79,7 +79,7 @@ def test_a_seam_holds_while_either_side_is_edited(continuity, moves):
 
 
 def test_undo_and_redo_lead_through_what_went_along():
-    add(neighbours())
+    add(neighbors())
     hold()
     net = enter()
     seen = [value()]
@@ -101,7 +101,7 @@ def test_undo_and_redo_lead_through_what_went_along():
 
 
 def test_what_was_released_is_free_again():
-    add(neighbours())
+    add(neighbors())
     hold()
     op(bpy.ops.splinewright.release_seam, first=2, first_side='u_start', second=1, second_side='u_end')
     net = enter()
@@ -113,7 +113,7 @@ def test_what_was_released_is_free_again():
 
 
 def test_it_is_held_and_released_while_the_net_is_out():
-    add(neighbours())
+    add(neighbors())
     enter()
     hold('G2')
     net = bpy.context.object
@@ -131,7 +131,7 @@ def test_it_is_held_and_released_while_the_net_is_out():
 
 
 def test_three_in_a_row_and_a_file(tmp_path):
-    add(neighbours(3))
+    add(neighbors(3))
     hold('G1', first=1, second=2)
     hold('G1', first=2, second=3)
     save(tmp_path / "held.blend")
@@ -148,7 +148,7 @@ def test_three_in_a_row_and_a_file(tmp_path):
 
 
 def test_verbs_keep_it_or_say_that_they_end_it(capfd):
-    add(neighbours())
+    add(neighbors())
     hold()
     assert len(held.read(shape().data)) == 1
     op(bpy.ops.splinewright.raise_degree, direction='V')
@@ -165,7 +165,7 @@ def test_verbs_keep_it_or_say_that_they_end_it(capfd):
 
 @pytest.mark.parametrize('damage', ("{", "[1]", "[[0, \"u_end\", 9, \"u_start\", \"G1\", \"second\"]]", "[[0, 1, 2, 3, 4, 5]]", "[" * 100_000, "null", 5, [1, 2], {}))
 def test_damage_is_a_sentence_and_can_be_released(damage):
-    add(neighbours())
+    add(neighbors())
     shape().data[held.KEY] = damage
     with pytest.raises(store.UnreadableDefinition, match="release"):
         held.read(shape().data)
@@ -179,7 +179,7 @@ def test_damage_is_a_sentence_and_can_be_released(damage):
 
 
 def test_damage_is_released_in_the_panel():
-    add(neighbours())
+    add(neighbors())
     shape().data[held.KEY] = "["
     drawn = drawn_by(bpy.types.SPLINEWRIGHT_PT_continuity, bpy.context)
     assert "splinewright.release_seam" in drawn.operators and any("release it" in text for text in drawn.texts)
@@ -188,9 +188,9 @@ def test_damage_is_released_in_the_panel():
 
 
 def test_shapes_that_are_joined_keep_what_holds_in_each():
-    add(neighbours(), "other").location.y = 9
+    add(neighbors(), "other").location.y = 9
     hold('C1')
-    add(neighbours())
+    add(neighbors())
     hold('G2')
     bpy.data.objects["other"].select_set(True)
     op(bpy.ops.splinewright.join)
@@ -198,21 +198,21 @@ def test_shapes_that_are_joined_keep_what_holds_in_each():
 
 
 def test_another_value_keeps_what_is_a_seam_in_it_and_a_plain_mesh_holds_nothing():
-    add(neighbours(3))
+    add(neighbors(3))
     hold('G1', first=1, second=2)
     hold('G1', first=2, second=3)
     shape().data.splinewright.value = sc.PatchSet.from_patches([value()[0], value()[1]])
     assert len(held.read(shape().data)) == 1
     shape().data.splinewright.value = value()[0]
     assert held.read(shape().data) == () and held.KEY not in shape().data.keys()
-    shape().data.splinewright.value = neighbours()
+    shape().data.splinewright.value = neighbors()
     hold()
     op(bpy.ops.splinewright.detach)
     assert held.KEY not in shape().data.keys()
 
 
 def test_sides_that_are_no_edge_are_refused():
-    add(neighbours())
+    add(neighbors())
     with pytest.raises(RuntimeError, match="not one edge"):
         bpy.ops.splinewright.hold_seam(first=1, first_side='u_start', second=2, second_side='u_start')
     with pytest.raises(RuntimeError, match="not one edge"):
@@ -221,7 +221,7 @@ def test_sides_that_are_no_edge_are_refused():
 
 
 def test_mirrored_seams_hold_on_the_sides_that_are_theirs_then():
-    ob = add(neighbours())
+    ob = add(neighbors())
     hold('G1')
     ob.scale.x = -1
     op(bpy.ops.splinewright.apply_transform)
@@ -237,11 +237,11 @@ def test_mirrored_seams_hold_on_the_sides_that_are_theirs_then():
 
 
 def test_a_mirrored_shape_that_is_joined_keeps_its_seams():
-    other = add(neighbours(), "other")
+    other = add(neighbors(), "other")
     hold('C1')
     other.scale.x = -1
     bpy.context.view_layer.update()
-    add(neighbours())
+    add(neighbors())
     bpy.data.objects["other"].select_set(True)
     op(bpy.ops.splinewright.join)
     seam, = held.read(shape().data)

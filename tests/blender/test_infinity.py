@@ -81,5 +81,5 @@ def test_nothing_selected_is_said():
 def test_the_points_of_a_recipe_stay():
     op(bpy.ops.splinewright.add_conic)
     select(enter(), 1)
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.point_to_infinity)

@@ -99,7 +99,7 @@ def test_shapes_and_nets_can_be_pointed_at_and_what_comes_of_numbers_cannot():
     assert not operator.poll()
     op(bpy.ops.splinewright.add_circle)
     assert not operator.poll()
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         operator()
     add(value_of('nurbs'), "curve")
     assert operator.poll()

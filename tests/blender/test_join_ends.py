@@ -204,7 +204,7 @@ def test_a_shape_that_is_no_longer_free_is_refused_as_the_other_one_and_both_sta
     one = add(value_of('cubic'))
     activate(one, conic)
     before = scene_state()
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         run('join_ends')
     assert scene_state() == before
     activate(conic)

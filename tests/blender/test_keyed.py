@@ -298,7 +298,7 @@ def test_points_of_a_net_take_no_keys_and_no_drivers(path):
     assert not held.data.animation_data or not held.data.animation_data.drivers
 
 
-def test_the_colours_of_seams_take_no_keys():
+def test_the_colors_of_seams_take_no_keys():
     with pytest.raises(TypeError, match="not animatable"):
         add(starters.teapot()).data.keyframe_insert('splinewright.show_seams')
 

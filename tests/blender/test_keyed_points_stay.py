@@ -10,7 +10,7 @@ from keyed_points import (at, clear, edited, key, key_at, keyed_shape, keys, mov
 from layouts import drawn
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
-from test_holding import hold, neighbours, require_smooth, row
+from test_holding import hold, neighbors, require_smooth, row
 
 animation = part('bridge.animation')
 
@@ -115,7 +115,7 @@ def test_detach_ends_the_keys_and_transforms_wait_for_that():
     ob = keyed_shape(VALUES['nurbs']())
     ob.scale = (2, 2, 2)
     bpy.context.view_layer.update()
-    with pytest.raises(RuntimeError, match="Clear Keys of Points"):
+    with pytest.raises(RuntimeError, match="Clear Point Keyframes"):
         op(bpy.ops.splinewright.apply_transform)
     assert op(bpy.ops.splinewright.detach) == {'FINISHED'}
     assert not len(ob.data.splinewright_keyed) and not animation.paths(ob.data)
@@ -242,14 +242,14 @@ def test_the_panel_shows_points_in_hand():
     held = edited(ob)
     select(held, 2)
     text = drawn()
-    assert "Clear Keys of Points Point 2 X Y Z Weight" in text
+    assert "Clear Point Keyframes Point 2 X Y Z Weight" in text
     leave()
     assert op(clear) == {'FINISHED'}
     drawn()
     chain = keyed_shape(VALUES['hermite']())
     net = numbers_of(edited(chain))
     select(bpy.context.object, 0)
-    assert "Clear Keys of Points Handle 0 X Y Z" in drawn() and "X Y Z Weight" not in drawn()
+    assert "Clear Point Keyframes Handle 0 X Y Z" in drawn() and "X Y Z Weight" not in drawn()
     assert len(net.rows) == 12
 
 
@@ -270,7 +270,7 @@ def test_a_file_that_is_saved_while_the_net_is_out_goes_on(tmp_path):
 
 @pytest.mark.parametrize('is_out', (False, True), ids=('without a net', 'in the net'))
 def test_a_seam_that_holds_does_so_in_every_frame(is_out):
-    ob = add(neighbours())
+    ob = add(neighbors())
     hold('G1', moves='second')
     held = enter()
     at(1)

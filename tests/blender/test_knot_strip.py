@@ -47,7 +47,7 @@ def expected(knots, number, to):
 
 
 def between(knots, number, part=0.4):
-    """A parameter between the neighbours of a knot."""
+    """A parameter between the neighbors of a knot."""
     distinct = np.unique(knots)
     i = int(np.searchsorted(distinct, knots[number - 1]))
     return float(distinct[i - 1] + part * (distinct[i + 1] - distinct[i - 1])) if 0 < i < len(distinct) - 1 else None
@@ -135,7 +135,7 @@ def test_what_is_made_by_its_numbers_or_follows_is_refused_in_the_words_of_other
         ob = bpy.context.object
         before = ob.data.splinewright.value
         assert seen.bars_of(ob.data, 1)[0], "its knots are shown"
-        with pytest.raises(RuntimeError, match="Make Editable"):
+        with pytest.raises(RuntimeError, match="Apply Construction"):
             run('move_knot', knot=4, parameter=0.2)
         assert ob.data.splinewright.value == before
 

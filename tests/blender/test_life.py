@@ -31,7 +31,7 @@ def test_a_result_changed_by_hand_is_noticed_and_never_overwritten(name):
     assert np.array_equal(shown(ob), changed) and not list(editing.nets())
 
 
-def test_corners_that_go_from_one_face_to_its_neighbour_are_noticed():
+def test_corners_that_go_from_one_face_to_its_neighbor_are_noticed():
     mesh = add(VALUES['nurbs patch'](), "shape").data
     starts, totals = (np.empty(len(mesh.polygons), np.int32) for _ in range(2))
     mesh.polygons.foreach_get('loop_start', starts)
@@ -366,14 +366,14 @@ def test_a_shape_that_moves_while_its_net_is_edited_takes_the_net_along():
     require_exact(leave())
 
 
-def coloured(name, shape_name, color):
+def colored(name, shape_name, color):
     ob = add(VALUES[shape_name](), name)
     ob.data.materials.append(bpy.data.materials.get(color) or bpy.data.materials.new(color))
     return ob
 
 
 def test_joined_patches_keep_their_materials_and_joined_curves_their_radius():
-    obs = [coloured("a", 'nurbs patch', "red"), coloured("b", 'teapot', "blue"), coloured("c", 'bezier patch', "red")]
+    obs = [colored("a", 'nurbs patch', "red"), colored("b", 'teapot', "blue"), colored("c", 'bezier patch', "red")]
     activate(*obs)
     op(bpy.ops.splinewright.join)
     data = bpy.context.object.data
@@ -382,7 +382,7 @@ def test_joined_patches_keep_their_materials_and_joined_curves_their_radius():
     data.attributes["patch"].data.foreach_get('value', patches)
     data.polygons.foreach_get('material_index', indices)
     assert np.array_equal(indices, ((patches > 0) & (patches < 33)).astype(int))
-    curves = [coloured("d", 'nurbs', "red"), coloured("e", 'quintic', "blue")]
+    curves = [colored("d", 'nurbs', "red"), colored("e", 'quintic', "blue")]
     for radius, ob in zip((2.0, 3.0), curves):
         for point in ob.data.splines[0].points:
             point.radius = radius

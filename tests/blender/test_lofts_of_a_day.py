@@ -102,7 +102,7 @@ def test_the_panel_of_what_is_made_of_a_mesh_is_whole_and_the_mesh_is_named_wher
     assert op(bpy.ops.splinewright.add_of_mesh) == {'FINISHED'}
     ob = bpy.context.object
     drawn = sidebar(bpy.context)
-    assert f"Follows {source.name}" in drawn.texts and {'Make Editable', 'Kind', 'Degrees'} <= set(drawn.texts)
+    assert f"Follows {source.name}" in drawn.texts and {'Apply Construction', 'Kind', 'Degrees'} <= set(drawn.texts)
     require_exact(ob)
     source.data.vertices[0].co.z += 0.3
     source.data.update()

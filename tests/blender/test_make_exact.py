@@ -1,4 +1,4 @@
-"""Make Exact and To Blender's Own: another kind of object in the same place, and all that hangs on it stays."""
+"""Convert to Splinewright and To Blender's Own: another kind of object in the same place, and all that hangs on it stays."""
 
 import bpy
 import numpy as np
@@ -335,7 +335,7 @@ def text(body):
 def test_a_text_becomes_curves_in_its_place():
     ob = text("Oi")
     ob.location.x, pointer = 2.0, ob.as_pointer()
-    with pytest.raises(RuntimeError, match="Make Exact turns a text into curves"):
+    with pytest.raises(RuntimeError, match="Convert to Splinewright turns a text into curves"):
         bpy.ops.splinewright.add_revolve()
     assert bpy.ops.splinewright.make_exact() == {'FINISHED'}
     assert ob.as_pointer() == pointer and ob.type == 'CURVE' and ob.location.x == 2.0 and ob.select_get()

@@ -430,8 +430,8 @@ def test_joined_shapes_keep_what_was_put_on_each():
     for polygon in second.data.polygons:
         polygon.material_index = int(polygon.center.x > 1.5)
     for ob, height in ((first, 1.0), (second, 2.0)):
-        colour = ob.data.attributes.new("place", 'FLOAT_VECTOR', 'POINT')
-        colour.data.foreach_set('vector', (vertices(ob.data) * height).ravel())
+        color = ob.data.attributes.new("place", 'FLOAT_VECTOR', 'POINT')
+        color.data.foreach_set('vector', (vertices(ob.data) * height).ravel())
     MARKS['mine'].set(first.data, np.where(lie_at(first.data, 0, 0.0), 0.25, 0.0))
     MARKS['mine'].set(second.data, np.where(lie_at(second.data, 0, 1.5), 0.25, 0.0))
     MARKS['seam'].set(second.data, lie_at(second.data, 0, 0.0))

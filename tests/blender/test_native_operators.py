@@ -1,4 +1,4 @@
-"""Make Exact and To Blender's Own as operators: undo, what is refused, what is left alone."""
+"""Convert to Splinewright and To Blender's Own as operators: undo, what is refused, what is left alone."""
 
 import bpy
 import numpy as np

@@ -1,4 +1,4 @@
-"""What would be refused is grey, and nothing else is."""
+"""What would be refused is gray, and nothing else is."""
 
 from types import SimpleNamespace
 
@@ -77,7 +77,7 @@ def begun(state):
 
 
 def offered():
-    """(operators that are offered, those of them that are grey) in the panels and the context menu."""
+    """(operators that are offered, those of them that are gray) in the panels and the context menu."""
     layout = Layout()
     for panel in panels():
         if panel.poll(bpy.context):
@@ -87,8 +87,8 @@ def offered():
     for menu in menu_table.menus_in(menu_table.OBJECT):
         getattr(bpy.types, menu.idname).draw(SimpleNamespace(layout=layout), bpy.context)
     names = {name.partition(".")[2] for name in layout.operators}
-    grey = {name.partition(".")[2] for name in layout.disabled}
-    return names, grey | {name for name in names if not getattr(bpy.ops.splinewright, name).poll()}
+    gray = {name.partition(".")[2] for name in layout.disabled}
+    return names, gray | {name for name in names if not getattr(bpy.ops.splinewright, name).poll()}
 
 
 def is_refused(name):
@@ -102,14 +102,14 @@ def is_refused(name):
 
 
 @pytest.mark.parametrize('state', STATES)
-def test_what_would_be_refused_is_grey(state):
+def test_what_would_be_refused_is_gray(state):
     begun(state)
-    names, grey = offered()
+    names, gray = offered()
     wrong = []
     for name in sorted(names - NOT_RUN):
         begun(state)
-        if is_refused(name) != (name in grey) and not ((name in MENDED or (state, name) in TOLD_LATE) and name not in grey):
-            wrong.append((name, "grey" if name in grey else "not grey"))
+        if is_refused(name) != (name in gray) and not ((name in MENDED or (state, name) in TOLD_LATE) and name not in gray):
+            wrong.append((name, "gray" if name in gray else "not gray"))
     assert len(names) > 5 and not wrong
 
 
@@ -123,9 +123,9 @@ def has_settings(name):
 def test_after_an_operator_its_settings_can_be_changed(state):
     """Blender asks poll() of what came of it before the panel at the lower left takes that back."""
     begun(state)
-    names, grey = offered()
+    names, gray = offered()
     without = []
-    for name in sorted(names - grey - NOT_RUN - LEADS_AWAY):
+    for name in sorted(names - gray - NOT_RUN - LEADS_AWAY):
         begun(state)
         if has_settings(name) and not is_refused(name) and not getattr(bpy.ops.splinewright, name).poll():
             without.append(name)

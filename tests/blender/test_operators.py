@@ -11,9 +11,12 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Choose', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
-         'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 
-         'Rebuild', 'Reduce', 'Release', 'Remove', 'Renew', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split', 'Swap', 'Sweep', 'Switch', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
+VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Choose', 'Clamp', 'Clear', 'Convert',
+         'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
+         'Fill', 'Fillet', 'Finish', 'Fit', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
+         'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',
+         'Remove', 'Reparameterize', 'Restore', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split',
+         'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock',
          'Write'}
 
 
@@ -60,7 +63,7 @@ def test_what_is_done_is_an_undo_step_of_its_name(capfd):
     bpy.context.window_manager.print_undo_steps()
     ctypes.CDLL(None).fflush(None)      # Blender's own buffer
     said = capfd.readouterr().out
-    for label in ("Insert Knot", "Split", "Convert to Bezier", "Edit Net", "Leave Net", "Add Basis Functions"):
+    for label in ("Insert Knot", "Split", "Convert to Bezier", "Edit Control Points", "Finish Editing", "Add Basis Functions"):
         assert f"name='{label}'" in said
 
 

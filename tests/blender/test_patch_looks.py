@@ -94,10 +94,10 @@ CARRIED = (('reverse', {'direction': 'BOTH'}), ('reverse', {}), ('swap_uv', {}),
 
 
 def painted(ob):
-    """Colours, vertex groups and a UV map that say where a point lies."""
+    """Colors, vertex groups and a UV map that say where a point lies."""
     mesh, places = ob.data, vertices(ob.data)
-    colours = mesh.attributes.new("place", 'FLOAT_VECTOR', 'POINT')
-    colours.data.foreach_set('vector', places.ravel())
+    colors = mesh.attributes.new("place", 'FLOAT_VECTOR', 'POINT')
+    colors.data.foreach_set('vector', places.ravel())
     group = ob.vertex_groups.new(name="height")
     for i, place in enumerate(places):
         group.add([i], float(0.5 + place[2] / 4), 'REPLACE')
@@ -105,7 +105,7 @@ def painted(ob):
 
 
 def farthest_paint(ob):
-    """How far points lie from where what is painted says, colours and weights."""
+    """How far points lie from where what is painted says, colors and weights."""
     places, said = vertices(ob.data), np.empty(3 * len(ob.data.vertices), np.float32)
     ob.data.attributes["place"].data.foreach_get('vector', said)
     weights = [vertex.groups[0].weight for vertex in ob.data.vertices]
@@ -119,10 +119,10 @@ def test_what_is_painted_stays_in_its_place(name, settings, kind):
     ob.data.splinewright.set_resolution(24, 24)
     painted(ob)
     run(name, **settings)
-    colour, weight = farthest_paint(ob)
+    color, weight = farthest_paint(ob)
     # Faces across a cut are those of one part; the other has what lies nearest to it.
     most = 0.25 if name == 'split' and 'where' not in settings else 0.02
-    assert colour < most and weight < most / 3
+    assert color < most and weight < most / 3
     uvs = np.empty(2 * len(ob.data.loops), np.float32)
     ob.data.uv_layers["UVMap"].data.foreach_get('uv', uvs)
     assert np.array_equal(uvs.reshape(-1, 2), mesh_layers.parameters(ob.data)[:, :2]), "the UV map of a shape is its parameters"

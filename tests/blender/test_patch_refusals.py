@@ -24,7 +24,7 @@ REFUSED = (
     ('insert_knot', {'parameter_u': 0.0}, 'plain nurbs', "multiplicity 5"),
     ('insert_knot', {'parameter_u': 1 / 3, 'times': 8}, 'plain nurbs', "times|multiplicity"),
     ('remove_knot', {}, 'bicubic', "no inner knot"),
-    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'plain nurbs', "no knot that can be removed"),
+    ('remove_knot', {'parameter_u': 0.4, 'nearest': False}, 'plain nurbs', "not a knot that can be removed"),
     ('remove_knot', {'times': 5}, 'plain nurbs', "times = 5"),
     ('remove_knot', {'limited': True, 'tolerance': 1e-3}, 'plain nurbs', "within 0.001: the error would be"),
     ('remove_knots', {'tolerance': 1e-3}, 'plain nurbs', "no knot can go"),
@@ -98,7 +98,7 @@ def test_a_recipe_a_follower_and_what_was_changed_by_hand_are_refused(name):
     follower = bpy.context.object
     touched = add(value_of('plain nurbs'), "touched")
     by_hand(touched)
-    for ob, word in ((torus, "Make Editable"), (follower, "Make Editable"), (touched, "changed by hand")):
+    for ob, word in ((torus, "Apply Construction"), (follower, "Apply Construction"), (touched, "changed by hand")):
         activate(ob)
         before = state(ob)
         with pytest.raises(RuntimeError, match=word):

@@ -1,4 +1,4 @@
-"""The preferences: how new shapes are shown, the colours over the 3D view, and keys."""
+"""The preferences: how new shapes are shown, the colors over the 3D view, and keys."""
 
 from types import SimpleNamespace
 
@@ -108,7 +108,7 @@ def test_without_preferences_their_defaults_are_used():
         assert np.allclose(known, tuple(found)) if name.startswith("color_") else known == found, name
 
 
-def test_nets_have_the_colours_of_the_theme_or_of_the_user(wanted):
+def test_nets_have_the_colors_of_the_theme_or_of_the_user(wanted):
     theme = bpy.context.preferences.themes[0].view_3d
     before = tuple(theme.nurb_sel_uline)
     theme.nurb_sel_uline = (0.25, 0.5, 0.75)        # a theme has 256 of each
@@ -121,11 +121,11 @@ def test_nets_have_the_colours_of_the_theme_or_of_the_user(wanted):
     assert colors.of_net() == ((1, 0, 0, 1), (0, 1, 0, 1)) and colors.of_arrows() == (0, 0, 1, 1)
 
 
-def test_seams_have_the_colours_of_the_preferences(wanted):
+def test_seams_have_the_colors_of_the_preferences(wanted):
     flat = [sc.BezierPatch([[(x + 3 * i, y, 0) for y in range(4)] for x in range(4)]) for i in range(2)]
     ob = add(sc.PatchSet.from_patches(flat))
     wanted.color_g2 = (0.25, 0.5, 0.75)
-    (_, found), = part('ui.seams_overlay').coloured_lines(ob.data)
+    (_, found), = part('ui.seams_overlay').colored_lines(ob.data)
     assert np.allclose(found, (0.25, 0.5, 0.75, 1.0))
 
 

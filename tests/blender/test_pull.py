@@ -94,7 +94,7 @@ def test_in_the_net_it_is_the_same_and_one_step_of_undo(kind):
 
 
 @pytest.mark.parametrize('in_net', [False, True])
-def test_neighbours_go_along(in_net):
+def test_neighbors_go_along(in_net):
     ob = add(patches.value_of('four around a corner'))
     before = [patch.points for patch in pieces(ob)]
     counts = store_edges(ob)
@@ -197,7 +197,7 @@ def test_both_nets_that_are_out_can_be_pulled():
     assert [moved_rows(old, store.read(ob.data)).any() for old, ob in zip(before, (first, second))] == [False, True]
     assert pull(first, shape_name="first") == {'FINISHED'}
     assert moved_rows(before[0], store.read(first.data)).any()
-    refused("not in hand", shape_name="third", vector=BY)
+    refused("no longer active", shape_name="third", vector=BY)
 
 
 def refused(words, **settings):
@@ -235,7 +235,7 @@ def test_refusals_change_nothing(in_net):
 def test_what_comes_of_numbers_or_of_nothing_cannot_be_pulled():
     assert not bpy.ops.splinewright.pull_here.poll()
     op(bpy.ops.splinewright.add_circle)
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         bpy.ops.splinewright.pull_here()
     ob = add(value_of('nurbs'))
     ob.data.splines[0].points[0].co.x += 1

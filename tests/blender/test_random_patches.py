@@ -110,7 +110,7 @@ class PatchWalk(Walk):
         for ob in self.shapes():
             surveys.survey_of(ob.data)
             if ob.type == 'MESH':
-                overlay.coloured_lines(ob.data)
+                overlay.colored_lines(ob.data)
 
 
 def test_random_steps_with_patches(tmp_path):

@@ -176,7 +176,7 @@ def test_several_surfaces_become_a_patch_set_and_rows_and_invalid_ones_are_told(
 def test_an_empty_object_has_no_value(curve):
     assert read_native.read(curve) == (None, (), (), (), [])
     assert measure.of_reading(curve, read_native.read(curve)) is None
-    with pytest.raises(ValueError, match="no curve or surface"):
+    with pytest.raises(ValueError, match="not a curve or surface"):
         read_native.read(bpy.data.objects.new("empty", None))
 
 

@@ -128,7 +128,7 @@ def test_too_few_points_leave_the_last_good_shape_and_say_why(kind):
         select(held, count)
         op(bpy.ops.curve.delete, type='VERT')
         if problem():
-            assert "one point is no curve" in problem() and shape_now().data.splinewright.value == value
+            assert "a curve needs two points" in problem() and shape_now().data.splinewright.value == value
             assert len(numbers_of(held).rows) == count
         else:
             require_sound(count)

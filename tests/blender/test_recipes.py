@@ -173,12 +173,12 @@ def test_make_editable_drops_the_recipe_and_keeps_every_digit():
 def test_what_would_be_lost_at_the_next_change_is_refused_with_a_word():
     ob, other = add_recipe('catmull_rom'), add(VALUES['nurbs']())
     activate(ob, other)
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.join)
     activate(ob)
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.apply_transform)
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.set_knots, knots="0 1")
     value = ob.data.splinewright.value
     with pytest.raises(ValueError, match="made by a recipe"):

@@ -143,7 +143,7 @@ def test_vases_are_exact_surfaces_that_follow_the_three_kinds_of_profiles():
         change_and_follow(bpy.data.objects[f"Profile: {name}"], [f"Vase: {name}"])
 
 
-def test_the_same_point_changes_the_whole_vase_one_half_or_its_neighbourhood():
+def test_the_same_point_changes_the_whole_vase_one_half_or_its_neighborhood():
     shapes = opened('vase')
     heights = {}
     for name in ("Bezier of degree 11", "Two joined Beziers", "Cubic B-spline"):
@@ -210,7 +210,7 @@ def test_the_fitted_patch_is_near_the_scan_and_farthest_at_the_fold():
     assert sights.deviation and sights.deviation_object == bpy.data.objects["Scan"]
 
 
-def test_the_scan_is_coloured_by_the_mean_distance_of_the_points_near_by():
+def test_the_scan_is_colored_by_the_mean_distance_of_the_points_near_by():
     """From dark blue where there is none to dark red from 0.06 on, by the sixteen points that are nearest."""
     patch = opened('scan')["Fitted patch"]
     points, mesh = vertices(bpy.data.objects["Scan"].data), bpy.data.objects["Fitted patch"].data
@@ -321,11 +321,11 @@ def test_the_parts_of_the_mirror_go_on_from_each_other_with_their_curvatures():
     shapes = opened('mirror')
     kinds = kinds_in(shapes)
     assert kinds["Housing"] == 'network' and kinds["Glass"] == 'filling' and list(kinds.values()).count('surface_blend') == 3
-    for name, neighbours in (("Blend of housing and arm", ("Housing", "Arm")), ("Blend of arm and foot", ("Arm", "Foot")),
+    for name, neighbors in (("Blend of housing and arm", ("Housing", "Arm")), ("Blend of arm and foot", ("Arm", "Foot")),
                              ("Rim", ("Housing", "Bezel"))):
         assert recipes.read(bpy.data.objects[name].data).said.count("angle 0°, curvatures differ by 0") == 2
-        for neighbour in neighbours:
-            seam = continuity_between((neighbour, name), ('v_start', 'v_end'))
+        for neighbor in neighbors:
+            seam = continuity_between((neighbor, name), ('v_start', 'v_end'))
             assert seam.gap < 1e-9 and np.degrees(seam.angle) < 1e-6 and seam.curvature_difference < 1e-6, name
     assert np.ptp(shapes["Glass"].points[..., 1]) < 1e-9
 

@@ -1,4 +1,4 @@
-"""The continuity of patches across their seams: listed in the panel, coloured along the surface."""
+"""The continuity of patches across their seams: listed in the panel, colored along the surface."""
 
 import bpy
 import numpy as np
@@ -20,7 +20,7 @@ def pair(height, slope=0.0):
 
 @pytest.mark.parametrize('value, word, number', (
     (pair(0.0), "C2 G2", 2), (pair(0.5), "C1 G1", 1), (pair(0.0, 0.5), "C0 G0", 0)))
-def test_a_seam_has_its_class_in_words_and_colours(value, word, number):
+def test_a_seam_has_its_class_in_words_and_colors(value, word, number):
     if number == 1:                     # a height of x² at the points x = 0, 1, 2, 3 leaves the plane with a slope
         net = np.array(value[1].points)
         net[1, :, 2] = 0
@@ -29,21 +29,21 @@ def test_a_seam_has_its_class_in_words_and_colours(value, word, number):
     survey = surveys.survey_of(ob.data)
     assert survey.count == 1 and survey.joints[0].name == "1 u end · 2 u start"
     assert panel.kind(survey.joints[0]) == word
-    (line, found), = overlay.coloured_lines(ob.data)
+    (line, found), = overlay.colored_lines(ob.data)
     assert np.allclose(line[:, 0], 3) and np.allclose(found, colors.of_seams()[number])
 
 
-def test_a_seam_that_opens_along_its_way_changes_its_colour():
+def test_a_seam_that_opens_along_its_way_changes_its_color():
     flat = sc.BezierPatch([[(x, y, 0) for y in range(4)] for x in range(4)])
     net = np.array([[(3 + x, y, 0.0) for y in range(4)] for x in range(4)])
     net[1, 3, 2] = 1.0                  # the tangent plane turns away towards the far end only
     ob = add(sc.PatchSet.from_patches([flat, sc.BezierPatch(net)]))
-    (line, found), = overlay.coloured_lines(ob.data)
+    (line, found), = overlay.colored_lines(ob.data)
     assert np.allclose(found[line[:, 1].argmax()], colors.of_seams()[0])
     assert np.allclose(found[line[:, 1].argmin()], colors.of_seams()[2])
 
 
-def test_places_that_cannot_be_measured_are_grey():
+def test_places_that_cannot_be_measured_are_gray():
     class Measured:
         parameters, gaps = np.zeros(2), np.array([np.nan, 0.0])
         angles = curvature_differences = np.array([np.nan, np.nan])
@@ -54,7 +54,7 @@ def test_places_that_cannot_be_measured_are_grey():
 def test_the_teapot_has_its_seams_and_the_sphere_closes_smoothly():
     teapot = add(starters.teapot())
     assert surveys.survey_of(teapot.data).count == 52
-    assert len(overlay.coloured_lines(teapot.data)) == 52
+    assert len(overlay.colored_lines(teapot.data)) == 52
     bpy.ops.splinewright.add_sphere('EXEC_DEFAULT', True)
     sphere = bpy.context.object.data.splinewright.value
     assert sphere.periodic == (True, False) and surveys.survey_of(bpy.context.object.data).count == 0

@@ -176,7 +176,7 @@ def test_normals_of_a_sphere_point_away_from_its_middle():
 def faces_of(patch, resolution, value=None):
     patch_set = sc.PatchSet.from_patches([patch])
     tessellation = sc.Tessellation(patch_set, resolution)
-    return faces.coloured(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
+    return faces.colored(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
 
 
 @pytest.mark.parametrize('value, wanted', (('GAUSS', 0.25), ('MEAN', -0.5), ('LARGEST', -0.5), ('SMALLEST', -0.5)))

@@ -259,9 +259,9 @@ def test_a_network_goes_on_from_a_surface_and_says_how_well():
     ob = make('network', *curves, beside)
     assert "angle" in recipes.read(ob.data).said and "to surfaces beside it" in recipes.read(ob.data).said
     patch, other = ob.data.splinewright.value, beside.data.splinewright.value
-    assert part('core.neighbours').angle_to(patch, [(other, 'u_end', 'G1')], 1e-3) < 2e-4
+    assert part('core.neighbors').angle_to(patch, [(other, 'u_end', 'G1')], 1e-3) < 2e-4
     apart = make('network', *curves).data.splinewright.value
-    assert part('core.neighbours').angle_to(apart, [(other, 'u_end', 'G1')], 1e-3) > 0.1
+    assert part('core.neighbors').angle_to(apart, [(other, 'u_end', 'G1')], 1e-3) > 0.1
 
 
 def test_a_surface_that_is_not_beside_a_network_is_refused():

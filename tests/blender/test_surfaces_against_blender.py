@@ -1,7 +1,7 @@
 """Blender's own sphere, torus and cylinder, and random surfaces: vertex by vertex against the exact patches of them.
 
 Of single nets test_against_blender.py compares all flags and degrees. Here are the objects that users add, what
-Make Exact leaves in the scene, surfaces of several patches, and our own sphere, torus and cylinder beside them.
+Convert to Splinewright leaves in the scene, surfaces of several patches, and our own sphere, torus and cylinder beside them.
 """
 
 import math

@@ -145,7 +145,7 @@ def faces_at_edges(mesh):
     ('offset_surface', lambda: (add(sc.build.sphere((0, 0, 0), 1.0)),), {'distance': -1.0}, "radius"),
     ('rounded_edge', lambda: (add(FLOOR), add(FAR)), {}, "edge"),
     ('thickened', lambda: (add(ARCH),), {'distance': 0.0}, "no thickness"),
-    ('filling', lambda: (add(FLOOR), add(FAR)), {}, "no hole"),
+    ('filling', lambda: (add(FLOOR), add(FAR)), {}, "hole of three to eight"),
 ))
 def test_what_cannot_be_made_is_said_and_nothing_is_left(kind, make_obs, settings, message):
     obs = make_obs()
@@ -225,7 +225,7 @@ def test_the_panel_of_what_is_made_of_a_mesh_says_what_it_does_not_follow():
     assert op(bpy.ops.splinewright.add_of_mesh) == {'FINISHED'}
     said = drawn()
     assert "Follows Suzanne" in said and "Not followed: the modifier Bend" in said
-    assert "Make Editable" in said and "Kind" in said
+    assert "Apply Construction" in said and "Kind" in said
 
 
 def polygon(corners, radius=1.0, start=0.0):
@@ -267,7 +267,7 @@ def test_a_polygon_of_nine_corners_is_filled_and_an_open_curve_is_refused():
     ob = make('filling', add(polygon(9)))
     area = sum(face.area for face in ob.data.polygons)
     assert area == pytest.approx(4.5 * math.sin(2 * math.pi / 9), rel=1e-5)
-    with pytest.raises(RuntimeError, match="no closed side, and is no closed curve"):
+    with pytest.raises(RuntimeError, match="not a closed curve and has no closed side"):
         make('filling', add(sc.BezierCurve([(0, 0, 0), (1, 2, 0), (2, 0, 0)])))
 
 

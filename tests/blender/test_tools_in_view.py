@@ -63,7 +63,7 @@ def test_weights_are_multiplied_each_for_itself(name):
 def test_a_weight_of_zero_is_refused_and_nothing_changed(name, settings):
     held, _ = in_hand(name)
     before = value()
-    with pytest.raises(RuntimeError, match="Send to Infinity"):
+    with pytest.raises(RuntimeError, match="Move to Infinity"):
         op(bpy.ops.splinewright.weight_here, **settings)
     assert value() == before and live.problem(held) == ""
     # In the panel of the last operator, where another number may do, it stays.
@@ -110,7 +110,7 @@ def test_what_has_no_weights_is_refused_in_words():
 def test_a_net_of_points_of_a_recipe_has_no_weights():
     op(bpy.ops.splinewright.add_catmull_rom)
     enter()
-    with pytest.raises(RuntimeError, match="Make Editable"):
+    with pytest.raises(RuntimeError, match="Apply Construction"):
         op(bpy.ops.splinewright.weight_here)
 
 
@@ -314,14 +314,14 @@ def pie():
     return layout
 
 
-@pytest.mark.parametrize('name, grey', (
+@pytest.mark.parametrize('name, gray', (
     ('nurbs', set()), ('periodic', {"make_periodic"}), ('nurbs patch', set()), ('teapot', set())))
-def test_the_pie_has_eight_entries_and_what_would_be_refused_is_grey(name, grey):
+def test_the_pie_has_eight_entries_and_what_would_be_refused_is_gray(name, gray):
     add(VALUES[name]())
     enter()
     layout = pie()
     assert len(layout.operators) == len(set(layout.operators)) == 8
-    assert set(layout.disabled) == {f"splinewright.{name}" for name in grey}
+    assert set(layout.disabled) == {f"splinewright.{name}" for name in gray}
     assert bpy.ops.splinewright.pie.poll()
 
 
@@ -348,7 +348,7 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
     assert hints.said(bpy.context) == [
         (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_ALT", "EVENT_G"], "Pull Shape"),
         *([(["EVENT_ALT", "EVENT_S"], "Radius"), (["EVENT_CTRL", "EVENT_T"], "Tilt")] if name == 'nurbs' else []),
-        (["EVENT_I"], "Key Points"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
+        (["EVENT_I"], "Insert Point Keyframes"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
     state.status = "a problem"
     try:
         assert hints.said(bpy.context) == [], "problems have the first right"
@@ -359,6 +359,18 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
         assert hints.said(bpy.context) == []
     finally:
         part('ui.preferences').get().show_hints = True
+
+
+@pytest.mark.parametrize('name', TOOLS)
+def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, monkeypatch):
+    hints, state = part('ui.hints'), part('bridge.file_state').state
+    monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
+    assert hints.said(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
+    for field, value in (('is_pointing', True), ('drawn_stroke', ((0, 0, 0),)), ('contour', ("drawn", "longer"))):
+        monkeypatch.setattr(state, field, value)
+        assert hints.said(bpy.context) == [], f"{field}: a gesture has keys of its own"
+        monkeypatch.undo()
+        monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
 
 
 def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):

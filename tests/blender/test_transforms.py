@@ -91,10 +91,10 @@ def test_mirrored_patches_keep_their_normals_outside():
     ob = add(VALUES['teapot']())
     ob.scale.x = -1
     op(bpy.ops.splinewright.apply_transform)
-    centre = vertices(ob.data).mean(0)
+    center = vertices(ob.data).mean(0)
     body = [polygon for polygon in ob.data.polygons if abs(polygon.center.z - 0.4) < 0.2
             and np.hypot(*polygon.center.xy) > 0.9 and abs(polygon.center.x) < 0.5]
-    assert body and all(np.dot(np.array(polygon.center) - centre, polygon.normal) > 0 for polygon in body)
+    assert body and all(np.dot(np.array(polygon.center) - center, polygon.normal) > 0 for polygon in body)
 
 
 @pytest.mark.parametrize('name', KINDS)

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "counted_work.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/fit/interpolate.hpp"
 #include "splinecore/meet/nearest.hpp"
@@ -84,7 +84,7 @@ void interpolation() {
   for (int i = 0; i < 10'000; ++i) points.emplace_back(std::cos(0.3 * i), std::sin(0.3 * i), 0.01 * i);
   const splinecore::InterpolationOptions options{.ends = splinecore::FitEnds::not_a_knot};
   counted_work([&] {
-    interpolate(points, parameters_of(points, splinecore::Parametrisation::chordal), options);
+    interpolate(points, parameters_of(points, splinecore::Parameterization::chordal), options);
   });
 }
 

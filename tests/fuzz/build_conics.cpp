@@ -18,7 +18,7 @@ void demand_finite_vector(const glm::dvec3& v, const std::string& what) {
 
 void look_at_conic(Bytes& bytes, const ImplicitConic& conic) {
   demand_finite<double>(conic.coefficients(), "a coefficient");
-  if (const auto middle = centre(conic)) demand_finite_vector(*middle, "a centre");
+  if (const auto middle = center(conic)) demand_finite_vector(*middle, "a center");
   for (const glm::dvec3& focus : foci(conic)) demand_finite_vector(focus, "a focus");
   for (const glm::dvec3& along : axis_directions(conic)) demand_finite_vector(along, "a direction of an axis");
   if (const auto found = eccentricity(conic)) demand(*found >= 0.0, "an eccentricity is negative or not a number");

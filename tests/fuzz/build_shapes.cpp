@@ -35,7 +35,7 @@ constexpr BuildStep kBuilders[] = {
       const auto closing = bytes.flag() ? Closing::closed : Closing::open;
       const auto ends = static_cast<EndTangent>(bytes.integer(0, 2));
       std::vector<double> at = maybe_parameters(bytes, places.size() + (closing == Closing::closed ? 1 : 0));
-      if (bytes.flag()) at = parameters_of(places, static_cast<Parametrisation>(bytes.integer(0, 2)), closing);
+      if (bytes.flag()) at = parameters_of(places, static_cast<Parameterization>(bytes.integer(0, 2)), closing);
       const HermiteCurve chain = kochanek_bartels(places, shaping, std::move(at), closing, ends);
       look_at(chain);
       look_at_points(chain.nurbs());

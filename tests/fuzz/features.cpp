@@ -53,7 +53,7 @@ void look_at_frames(Bytes& bytes, const NurbsCurve& curve) {
   how.is_closed = bytes.flag();
   const std::vector<double> u = places(bytes, curve);
   std::vector<MovingFrame> frames(u.size());
-  rotation_minimising_frames(curve, u, frames, how, bytes.flag() ? Side::left : Side::right);
+  rotation_minimizing_frames(curve, u, frames, how, bytes.flag() ? Side::left : Side::right);
   for (const MovingFrame& frame : frames) {
     const glm::dvec3& n = frame.normal;
     demand(std::abs(std::hypot(n.x, n.y, n.z) - 1.0) < 1e-9, "a normal that was carried has another length");
@@ -97,8 +97,8 @@ FitEnds ends(Bytes& bytes) {
 
 Closing closing(Bytes& bytes) { return bytes.integer(0, 3) == 0 ? Closing::closed : Closing::open; }
 
-Parametrisation parametrisation(Bytes& bytes) {
-  return std::array{Parametrisation::uniform, Parametrisation::centripetal, Parametrisation::chordal}[bytes.byte() % 3];
+Parameterization parameterization(Bytes& bytes) {
+  return std::array{Parameterization::uniform, Parameterization::centripetal, Parameterization::chordal}[bytes.byte() % 3];
 }
 
 void look_at_curve_through(Bytes& bytes) {
@@ -109,7 +109,7 @@ void look_at_curve_through(Bytes& bytes) {
   if (bytes.flag()) options.start = vectors(bytes, bytes.integer(0, 3));
   if (bytes.flag()) options.end = vectors(bytes, bytes.integer(0, 3));
   const std::vector<glm::dvec3> points = vectors(bytes, bytes.integer(0, 40));
-  const auto found = interpolate(points, parameters_of(points, parametrisation(bytes), options.closing), options);
+  const auto found = interpolate(points, parameters_of(points, parameterization(bytes), options.closing), options);
   demand_error(found.error, "a curve through points");
 }
 
@@ -123,7 +123,7 @@ void look_at_patch_through(Bytes& bytes) {
     made.degree = degree(bytes, 12);
     made.closing = closing(bytes);
     made.ends = ends(bytes);
-    made.parameters = parameters_of(grid, axis, parametrisation(bytes), made.closing);
+    made.parameters = parameters_of(grid, axis, parameterization(bytes), made.closing);
     return made;
   };
   const FitDirection u = direction(Axis::u);

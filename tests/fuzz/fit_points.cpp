@@ -32,7 +32,7 @@ void look_within(const Approximation<Shape>& made, double tolerance) {
 std::vector<double> places(Bytes& bytes, std::span<const glm::dvec3> points, Closing how) {
   const std::size_t more = how == Closing::closed ? 1 : 0;
   if (bytes.integer(0, 3) == 0) return increasing(bytes, points.size() + more);
-  return parameters_of(points, static_cast<Parametrisation>(bytes.integer(0, 2)), how);
+  return parameters_of(points, static_cast<Parameterization>(bytes.integer(0, 2)), how);
 }
 
 ApproximationOptions options(Bytes& bytes, std::size_t count) {

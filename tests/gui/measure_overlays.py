@@ -143,7 +143,7 @@ def of_surface(view):
     yield from with_switch(view, "knot lines", 'knots')
     yield from with_switch(view, "normals: 1e5 vertices", 'normals', normal_count=8)
     yield from with_switch(view, "stripes: 1e5 vertices", 'stripes')
-    yield from with_switch(view, "curvature colours: 1e5 vertices", 'curvature')
+    yield from with_switch(view, "curvature colors: 1e5 vertices", 'curvature')
     bpy.ops.mesh.primitive_monkey_add(location=(0, 0, 2))
     other = bpy.context.object
     other.select_set(False)
@@ -177,7 +177,7 @@ def of_net(view):
                       lambda: setattr(space.overlay, 'show_overlays', False))
     space.overlay.show_overlays = True
     yield from redrawn()
-    yield from with_switch(view, "curvature colours beside the net", 'curvature')
+    yield from with_switch(view, "curvature colors beside the net", 'curvature')
     view.press('TAB')
     yield from out_of_net()
 

@@ -1,4 +1,4 @@
-"""Colours by the distance from another object: those of the legend, live, measured again only after changes."""
+"""Colors by the distance from another object: those of the legend, live, measured again only after changes."""
 
 import os
 import sys
@@ -66,8 +66,8 @@ def heights():
     return 2 - patch.evaluate_grid(np.linspace(u0, u1, 90), np.linspace(v0, v1, 90))[..., 2]
 
 
-def require_colours(view, shown):
-    """Places on the patch have the colours that the legend has for their distances, darker where the surface turns away."""
+def require_colors(view, shown):
+    """Places on the patch have the colors that the legend has for their distances, darker where the surface turns away."""
     patch, largest = bpy.data.objects["patch"].data.splinewright.value, deviation("patch").largest
     (u0, u1), (v0, v1) = patch.domain
     palette = part('ui.surface_shader')
@@ -91,7 +91,7 @@ def surface(view):
     yield from measured("patch", lambda found: abs(found.largest - wanted.max()) < 1e-3, "the distance to the plane")
     on = picture("plane")
     assert mean_difference(off[PLACE], on[PLACE]) > 3.0 and mean_difference(off[LEGEND], on[LEGEND]) > 3.0
-    require_colours(view, on)
+    require_colors(view, on)
     before = deviation("patch")
     assert np.nanmin(before.values) > wanted.min() - 1e-3 and wanted.min() < before.mean < wanted.max()
     yield from redrawn()

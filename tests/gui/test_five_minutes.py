@@ -109,7 +109,7 @@ def keys(view, text):
 
 def word(view, text):
     """A word of the interface: what is searched for, or a field."""
-    if text in ("Make Editable", "Tools Split"):
+    if text in ("Apply Construction", "Tools Split"):
         for letter in text.lower():
             view.press(by_keys.KEYS.get(letter, letter.upper()), letter)
         yield from redrawn()

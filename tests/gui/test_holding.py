@@ -26,7 +26,7 @@ def smooth():
     return sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start').g
 
 
-def neighbours():
+def neighbors():
     sc = part('core.library').sc
     u, v = np.meshgrid(np.linspace(-2, 0, 5), np.linspace(-1, 1, 5), indexing='ij')
     knots = [0, 0, 0, 0, 1, 2, 2, 2, 2]
@@ -42,7 +42,7 @@ def cut_near_a_knot():
     return sc.PatchSet.from_patches(sc.NurbsPatch((3, 3), (knots, knots), np.stack([u, v, 0.3 * np.cos(u)], -1)).split('u', 1.03))
 
 
-def scene(view, shown=neighbours, continuity='G1', columns=slice(1, 4)):
+def scene(view, shown=neighbors, continuity='G1', columns=slice(1, 4)):
     with view.override():
         empty_file()
         data = part('bridge.shape').new_data("shape", shown(), (8, 8))

@@ -78,7 +78,7 @@ def keyed(view, rows):
     with view.override():
         bpy.ops.ed.undo_redo()          # what the panel of the last operator does, but for the step
         part('ui.editing').want_whole_step()
-        bpy.ops.ed.undo_push(message="Key Points")
+        bpy.ops.ed.undo_push(message="Insert Point Keyframes")
     yield from redrawn()
     yield from until(lambda: keys() == 8 * len(rows) and are_at(rows, before + 2), "it is repeated")
     return before

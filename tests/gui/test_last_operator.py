@@ -233,7 +233,7 @@ def names_of_steps(view):
     yield from out_of_net()
     names = undo_steps()
     assert any(name.startswith("X: ") for name in names), names
-    assert {"Add NURBS Patch", "Edit Net", "Send to Infinity", "Leave Net"} <= set(names), names
+    assert {"Add NURBS Patch", "Edit Control Points", "Move to Infinity", "Finish Editing"} <= set(names), names
     print("names", flush=True)
 
 

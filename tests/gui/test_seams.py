@@ -21,15 +21,15 @@ def strip():
     return sc.PatchSet.from_patches([patch(0, 0), patch(3, 0), patch(6, 1)])
 
 
-def colours_of(picture, view, point, reach=3):
-    """The colours around a point of the world: the n x n pixels."""
+def colors_of(picture, view, point, reach=3):
+    """The colors around a point of the world: the n x n pixels."""
     x, y = view.pixel_of(point)
     row = picture.shape[0] - 1 - y
     return picture[row - reach:row + reach + 1, x - reach:x + reach + 1].reshape(-1, 3).astype(float)
 
 
 def is_there(picture, view, point, wanted, reach=3):
-    return np.abs(colours_of(picture, view, point, reach) - 255 * np.array(wanted[:3])).max(1).min() < 16
+    return np.abs(colors_of(picture, view, point, reach) - 255 * np.array(wanted[:3])).max(1).min() < 16
 
 
 def steps():

@@ -122,7 +122,7 @@ def patches(view):
 
 
 def shows(view, point, color):
-    """Whether a place of the world has a colour in the view as it is now."""
+    """Whether a place of the world has a color in the view as it is now."""
     view.area.tag_redraw()
     found = save_picture(OUTPUT / "sights-straight.png")
     x, y = view.pixel_of(point)

@@ -43,7 +43,7 @@ def last_operator():
 
 
 def warned(picture):
-    """How many pixels have the colour of a warning."""
+    """How many pixels have the color of a warning."""
     color = np.array(part('ui.messages').WARNING[:3]) * 255
     # The outline of a selected object is not far from it: its green is 29 brighter.
     return int((np.abs(picture[:, VIEW].astype(int) - color) < (35, 17, 30)).all(-1).sum())

@@ -289,7 +289,7 @@ def clicked_at(view, number, away=(0, 0), **modifiers):
 
 
 def seen_from_below(view):
-    """Clicks take no point that the surface hides, but with X-ray or Points Behind; all else they do as ever."""
+    """Clicks take no point that the surface hides, but with X-ray or X-Ray Control Points; all else they do as ever."""
     yield from net_of(view, bpy.ops.splinewright.add_nurbs_patch)
     eye, was = view.area.spaces.active.region_3d, view.area.spaces.active.region_3d.view_rotation.copy()
     with view.override():

@@ -257,7 +257,7 @@ def seams(view):
 
 
 def green(picture):
-    """How many pixels have that colour."""
+    """How many pixels have that color."""
     red, own, blue = np.moveaxis(picture, -1, 0)
     return int(((own > 150) & (red < 110) & (blue < 130)).sum())
 

@@ -56,7 +56,7 @@ def drawing(view):
     yield from by_keys.see_all(view)
     picture("drawing")
     yield from by_keys.search(view, "make exact")
-    yield from until(lambda: sum(map(has_shape, bpy.data.objects)) == 3, "F3 finds Make Exact")
+    yield from until(lambda: sum(map(has_shape, bpy.data.objects)) == 3, "F3 finds Convert to Splinewright")
     made = [ob for ob in bpy.data.objects if has_shape(ob)]
     assert {ob.name: [slot.name for slot in ob.data.materials] for ob in made} == materials
     ends = [(curve.evaluate(curve.domain[0]), curve.evaluate(curve.domain[1])) for ob in made for curve in curves_of(ob)]
@@ -84,13 +84,13 @@ def redrawn_in_net(view):
 
 
 def of_mesh(view):
-    """Any mesh: its panel is whole, G moves what is made, and Make Editable lets it go."""
+    """Any mesh: its panel is whole, G moves what is made, and Apply Construction lets it go."""
     with view.override():
         bpy.ops.mesh.primitive_monkey_add('EXEC_DEFAULT', True, size=0.2, location=(0.1, 0.3, 0))
         NAMES['mesh'] = bpy.context.object.name
         bpy.ops.ed.undo_push(message="mesh")
     yield from by_keys.search(view, "nurbs of mesh")
-    yield from until(lambda: bpy.context.object.name != NAMES['mesh'], "F3 finds NURBS of Mesh")
+    yield from until(lambda: bpy.context.object.name != NAMES['mesh'], "F3 finds NURBS from Mesh")
     NAMES['made'] = bpy.context.object.name
     assert part('bridge.recipes').kind(bpy.context.object.data) == 'of_mesh' and len(value('made')) > 100
     yield from by_keys.see_all(view)
@@ -102,7 +102,7 @@ def of_mesh(view):
     yield from by_keys.keys(view, "G X 0.4 Enter")
     yield from until(lambda: abs(bpy.context.object.matrix_world.translation.x - 0.5) < 1e-5, "G moves it")
     yield from by_keys.search(view, "make editable")
-    yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "F3 finds Make Editable")
+    yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "F3 finds Apply Construction")
 
 
 def out_and_in(view):

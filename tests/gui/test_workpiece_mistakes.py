@@ -167,7 +167,7 @@ def apart(view):
     with view.override():
         bpy.ops.ed.undo_push(message="borders")
     yield from by_keys.choose(view, *names)
-    yield from added(view, "Surface > NURBS > Surface from Curves > Surface of a Network", 'net')
+    yield from added(view, "Surface > NURBS > Surface from Curves > Network Surface", 'net')
     yield from by_keys.see_all(view)
     assert problem('net') == ""
     was = value('net')

@@ -190,7 +190,7 @@ TEST(Allocations, OfASetOfPatchesOnTwoKnotVectorsInTurnThereAreNone) {
   }
 }
 
-/// So many patches in a row, neighbours on the same points along an edge.
+/// So many patches in a row, neighbors on the same points along an edge.
 PatchSet row_of_patches(int count) {
   std::vector<AnyPatch> row;
   for (int i = 0; i < count; ++i) {

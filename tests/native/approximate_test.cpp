@@ -32,7 +32,7 @@ TEST(Approximate, ComesNearInEveryDegreeByCountAndWithinATolerance) {
   const std::vector<glm::dvec3> points = ring(300);
   for (int degree = 1; degree <= 9; ++degree) {
     for (const Closing closing : {Closing::open, Closing::closed}) {
-      const auto parameters = parameters_of(points, Parametrisation::chordal, closing);
+      const auto parameters = parameters_of(points, Parameterization::chordal, closing);
       const auto [curve, error] = approximate(points, parameters, degree, 40, closing);
       EXPECT_EQ(curve.points().size(), 40u);
       EXPECT_LT(error, degree == 1 ? 0.05 : degree < 9 ? 0.005 : 0.006) << degree;
@@ -50,7 +50,7 @@ TEST(Approximate, SmoothingAndDerivativesAtTheEnds) {
   options.smoothing = 1e-3;
   options.start = {{1, 0, 0}};
   options.end = {{0, 1, 0}, {0, 0, 1}};
-  const auto parameters = parameters_of(points, Parametrisation::uniform);
+  const auto parameters = parameters_of(points, Parameterization::uniform);
   const NurbsCurve curve = approximate(points, parameters, 4, 20, Closing::open, options).value;
   double found[6];
   const double start = curve.domain().start;
@@ -61,14 +61,14 @@ TEST(Approximate, SmoothingAndDerivativesAtTheEnds) {
 
 TEST(Approximate, RefusesWhatCannotBe) {
   const std::vector<glm::dvec3> points = ring(30);
-  const auto parameters = parameters_of(points, Parametrisation::chordal);
+  const auto parameters = parameters_of(points, Parameterization::chordal);
   EXPECT_THROW(approximate(points, parameters, 3, 3), InvalidShape);
   EXPECT_THROW(approximate(points, parameters, 3, 31), InvalidShape);
   EXPECT_THROW(approximate(points, std::vector<double>(30, 0.0), 3, 9), InvalidShape);
   EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 0.0, 30), InvalidShape);
   EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 1e-9, 8), ToleranceNotReached);
   EXPECT_THROW(approximate_within(points, parameters, 3, Closing::open, 100.0, 3), InvalidShape);
-  const auto around = parameters_of(points, Parametrisation::chordal, Closing::closed);
+  const auto around = parameters_of(points, Parameterization::chordal, Closing::closed);
   EXPECT_THROW(approximate_within(points, around, 5, Closing::closed, 100.0, 4), InvalidShape);
   EXPECT_EQ(approximate_within(points, around, 5, Closing::closed, 100.0, 5).value.points().size(), 5u);
   const PointGrid grid{points, 5, 6};

@@ -15,31 +15,31 @@ using namespace testing;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kExact = 1e-13;
-const glm::dvec3 kCentre(10.0, -20.0, 5.0);
+const glm::dvec3 kCenter(10.0, -20.0, 5.0);
 const glm::dvec3 kUp(0.0, 0.0, 1.0);
 
 PatchSet set_of(std::vector<AnyPatch> patches) { return PatchSet::of(patches, true); }
 
 PatchSet capped(const NurbsPatch& mantle, double radius, double height) {
-  const NurbsPatch top = disc(kCentre + height * kUp, kUp, radius);
-  return set_of({mantle, reversed(disc(kCentre, kUp, 2.0), Axis::v), top});
+  const NurbsPatch top = disc(kCenter + height * kUp, kUp, radius);
+  return set_of({mantle, reversed(disc(kCenter, kUp, 2.0), Axis::v), top});
 }
 
 }  // namespace
 
 TEST(Area, OfTheUsualBodiesIsTheirClosedForm) {
-  EXPECT_NEAR(area(sphere(kCentre, 2.5, {1, 2, 2})).value / (4.0 * kPi * 6.25), 1.0, kExact);
-  EXPECT_NEAR(area(cylinder(kCentre, {1, 2, 2}, 2.0, 5.0)).value / (20.0 * kPi), 1.0, kExact);
-  EXPECT_NEAR(area(cone(kCentre, {1, 2, 2}, 3.0, 4.0)).value / (15.0 * kPi), 1.0, kExact);
-  EXPECT_NEAR(area(cone(kCentre, {1, 2, 2}, 5.0, 4.0, 2.0)).value / (35.0 * kPi), 1.0, kExact);
-  EXPECT_NEAR(area(torus(kCentre, {1, 2, 2}, 3.0, 1.0)).value / (12.0 * kPi * kPi), 1.0, kExact);
-  EXPECT_NEAR(area(disc(kCentre, {1, 2, 2}, 3.0)).value / (9.0 * kPi), 1.0, kExact);
-  EXPECT_NEAR(area(sphere(kCentre, 2.5, kUp, {0.1, 0.4})).value / (0.4 * 2.0 * 6.25), 1.0, kExact);
+  EXPECT_NEAR(area(sphere(kCenter, 2.5, {1, 2, 2})).value / (4.0 * kPi * 6.25), 1.0, kExact);
+  EXPECT_NEAR(area(cylinder(kCenter, {1, 2, 2}, 2.0, 5.0)).value / (20.0 * kPi), 1.0, kExact);
+  EXPECT_NEAR(area(cone(kCenter, {1, 2, 2}, 3.0, 4.0)).value / (15.0 * kPi), 1.0, kExact);
+  EXPECT_NEAR(area(cone(kCenter, {1, 2, 2}, 5.0, 4.0, 2.0)).value / (35.0 * kPi), 1.0, kExact);
+  EXPECT_NEAR(area(torus(kCenter, {1, 2, 2}, 3.0, 1.0)).value / (12.0 * kPi * kPi), 1.0, kExact);
+  EXPECT_NEAR(area(disc(kCenter, {1, 2, 2}, 3.0)).value / (9.0 * kPi), 1.0, kExact);
+  EXPECT_NEAR(area(sphere(kCenter, 2.5, kUp, {0.1, 0.4})).value / (0.4 * 2.0 * 6.25), 1.0, kExact);
   EXPECT_NEAR(area(plane({0, 0, 0}, {2, 0, 0}, {1, 3, 0})).value, 6.0, 1e-14);
 }
 
 TEST(Area, SaysHowFarItIsOffAtMost) {
-  const auto [value, error] = area(sphere(kCentre, 2.5));
+  const auto [value, error] = area(sphere(kCenter, 2.5));
   EXPECT_LE(std::abs(value - 25.0 * kPi), error);
   EXPECT_LE(error, 1.1e-12 * value);
 }
@@ -92,11 +92,11 @@ TEST(Area, RefusesInfinity) {
 }
 
 TEST(Volume, OfTheUsualBodiesIsTheirClosedForm) {
-  EXPECT_NEAR(volume(set_of({sphere(kCentre, 2.5, {1, 2, 2})})).value / (4.0 / 3.0 * kPi * 15.625), 1.0, kExact);
-  EXPECT_NEAR(volume(set_of({torus(kCentre, {1, 2, 2}, 3.0, 1.0)})).value / (6.0 * kPi * kPi), 1.0, kExact);
-  EXPECT_NEAR(volume(capped(cylinder(kCentre, kUp, 2.0, 5.0), 2.0, 5.0)).value / (20.0 * kPi), 1.0, kExact);
-  EXPECT_NEAR(volume(capped(cone(kCentre, kUp, 2.0, 3.0, 1.0), 1.0, 3.0)).value / (7.0 * kPi), 1.0, kExact);
-  const PatchSet pointed = set_of({cone(kCentre, kUp, 2.0, 3.0), reversed(disc(kCentre, kUp, 2.0), Axis::v)});
+  EXPECT_NEAR(volume(set_of({sphere(kCenter, 2.5, {1, 2, 2})})).value / (4.0 / 3.0 * kPi * 15.625), 1.0, kExact);
+  EXPECT_NEAR(volume(set_of({torus(kCenter, {1, 2, 2}, 3.0, 1.0)})).value / (6.0 * kPi * kPi), 1.0, kExact);
+  EXPECT_NEAR(volume(capped(cylinder(kCenter, kUp, 2.0, 5.0), 2.0, 5.0)).value / (20.0 * kPi), 1.0, kExact);
+  EXPECT_NEAR(volume(capped(cone(kCenter, kUp, 2.0, 3.0, 1.0), 1.0, 3.0)).value / (7.0 * kPi), 1.0, kExact);
+  const PatchSet pointed = set_of({cone(kCenter, kUp, 2.0, 3.0), reversed(disc(kCenter, kUp, 2.0), Axis::v)});
   EXPECT_NEAR(volume(pointed).value / (4.0 * kPi), 1.0, kExact);
   EXPECT_NEAR(volume(flipped(pointed)).value / (-4.0 * kPi), 1.0, kExact);
 }
@@ -111,15 +111,15 @@ TEST(Volume, OfABoxOfSixPlanes) {
 }
 
 TEST(Volume, OfAHollowBodyIsTheDifference) {
-  const NurbsPatch inner = reversed(sphere(kCentre, 1.0), Axis::v);
-  EXPECT_NEAR(volume(set_of({sphere(kCentre, 2.0), inner})).value, 4.0 / 3.0 * kPi * 7.0, 1e-12);
+  const NurbsPatch inner = reversed(sphere(kCenter, 1.0), Axis::v);
+  EXPECT_NEAR(volume(set_of({sphere(kCenter, 2.0), inner})).value, 4.0 / 3.0 * kPi * 7.0, 1e-12);
 }
 
 TEST(Volume, RefusesSetsThatAreNotClosedOrTurnedAgainstEachOther) {
-  const NurbsPatch mantle = cylinder(kCentre, kUp, 2.0, 5.0);
+  const NurbsPatch mantle = cylinder(kCenter, kUp, 2.0, 5.0);
   EXPECT_EQ(refusal([&] { volume(set_of({mantle})); }),
             "the side v = start of patches[0] meets no other: the patches enclose no volume");
-  const PatchSet turned = set_of({mantle, disc(kCentre, kUp, 2.0), disc(kCentre + 5.0 * kUp, kUp, 2.0)});
+  const PatchSet turned = set_of({mantle, disc(kCenter, kUp, 2.0), disc(kCenter + 5.0 * kUp, kUp, 2.0)});
   EXPECT_EQ(refusal([&] { volume(turned); }),
             "beyond the side v = start of patches[0] the normals point to the other side: the volume has no sign");
 }

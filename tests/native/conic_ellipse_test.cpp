@@ -52,15 +52,15 @@ TEST(Circle, HasThePointsAndWeightsOfTheBooks) {
 TEST(Circle, LiesAcrossItsNormal) {
   Random random(540);
   for (int round = 0; round < 100; ++round) {
-    const glm::dvec3 centre = random_vector(random);
+    const glm::dvec3 center = random_vector(random);
     const glm::dvec3 normal = random_vector(random);
-    const NurbsCurve curve = circle(centre, 3.0, normal, kForms[round % 4]);
+    const NurbsCurve curve = circle(center, 3.0, normal, kForms[round % 4]);
     for (const double u : random_parameters(random, curve.domain(), 20)) {
-      const glm::dvec3 offset = point_at(curve, u) - centre;
+      const glm::dvec3 offset = point_at(curve, u) - center;
       EXPECT_NEAR(glm::length(offset), 3.0, 3e-14);
       EXPECT_NEAR(glm::dot(offset, glm::normalize(normal)), 0.0, 3e-14);
     }
-    const glm::dvec3 turn = glm::cross(point_at(curve, 0) - centre, point_at(curve, 0.1) - centre);
+    const glm::dvec3 turn = glm::cross(point_at(curve, 0) - center, point_at(curve, 0.1) - center);
     EXPECT_GT(glm::dot(turn, normal), 0.0);
   }
 }
@@ -135,7 +135,7 @@ TEST(Ellipse, RefusesWhatIsNone) {
   EXPECT_NE(refusal([&] { circle(o, -1, {0, 0, 1}); }), "not refused");
   EXPECT_NE(refusal([&] { circle(o, std::nan(""), {0, 0, 1}); }), "not refused");
   EXPECT_EQ(refusal([&] { circle(o, 1, o); }), "normal has no direction: its length is 0");
-  EXPECT_EQ(refusal([&] { circle({INFINITY, 0, 0}, 1, y); }), "centre.x = inf is not finite");
+  EXPECT_EQ(refusal([&] { circle({INFINITY, 0, 0}, 1, y); }), "center.x = inf is not finite");
   EXPECT_EQ(refusal([&] { ellipse(o, o, y); }), "axis_a has the length 0");
   EXPECT_EQ(refusal([&] { ellipse(o, x, o); }), "axis_b has the length 0");
   EXPECT_EQ(refusal([&] { ellipse(o, x, -3.0 * x); }), "axis_b is parallel to axis_a: they span no ellipse");

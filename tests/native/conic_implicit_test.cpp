@@ -85,7 +85,7 @@ TEST(ImplicitConic, OfAnEllipseHasFociWhoseDistancesAddUp) {
   EXPECT_NEAR(conic.shape().first, 5, 1e-13);
   EXPECT_NEAR(conic.shape().second, 3, 1e-13);
   EXPECT_NEAR(*eccentricity(conic), 0.8, 1e-14);
-  EXPECT_LE(largest(*centre(conic) - glm::dvec3(2, -1, 0)), 1e-14 * 10);
+  EXPECT_LE(largest(*center(conic) - glm::dvec3(2, -1, 0)), 1e-14 * 10);
   const auto focus = foci(conic);
   const auto curves = curves_of(conic);
   ASSERT_EQ(curves.size(), 1u);
@@ -171,7 +171,7 @@ TEST(ImplicitForm, IsRefusedWhereRoundingLeavesNothingOfIt) {
   const auto refused = [](double end, double middle) {
     return refusal([&] { implicit_conic(BezierCurve::make({{0, 0, 0, end}, {1, 0, 0, middle}, {1, 1, 0, end}})); });
   };
-  EXPECT_EQ(refused(1e-170, 1.0), "points make no equation: rounding has left nothing of it");
+  EXPECT_EQ(refused(1e-170, 1.0), "the points give no equation: it is lost in rounding");
   EXPECT_EQ(refused(1.0, 1e-320), "not refused");
 }
 
@@ -182,7 +182,7 @@ TEST(ImplicitForm, IsRefusedWherePointsTimesWeightsOverflow) {
 
 TEST(ImplicitForm, IsRefusedForALine) {
   EXPECT_EQ(refusal([] { implicit_conic(conic_arc({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 1)); }),
-            "points lie on one line: the curve has no equation of its own");
+            "the points lie on one line: the equation of the curve is not unique");
   EXPECT_NE(refusal([] { implicit_conic(BezierCurve::make({{0, 0, 0, 1}, {1, 0, 0, 1}})); }), "not refused");
 }
 

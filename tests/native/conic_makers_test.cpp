@@ -54,7 +54,7 @@ TEST(ConicThrough, FindsTheCircleAndTheParabola) {
   const ImplicitConic parabola = conic_through(Points{{0, 0, 7}, {1, 1, 7}, {-1, 1, 7}, {2, 4, 7}, {-2, 4, 7}});
   EXPECT_EQ(parabola.type(), ConicType::parabola);
   EXPECT_NEAR(parabola.shape().first, 0.25, 1e-14);
-  EXPECT_LE(largest(*centre(parabola) - glm::dvec3(0, 0, 7)), 1e-13);
+  EXPECT_LE(largest(*center(parabola) - glm::dvec3(0, 0, 7)), 1e-13);
 }
 
 TEST(ConicThrough, ThreePointsOnALineIsAPairOfLines) {

@@ -69,7 +69,7 @@ TEST(CurveDerivatives, OfAHyperbolaFollowTheClosedFormUpToTheHighestOrder) {
   }
 }
 
-TEST(CurveDerivatives, OfACircleTurnByARightAngleAndPointToTheCentre) {
+TEST(CurveDerivatives, OfACircleTurnByARightAngleAndPointToTheCenter) {
   const double w = std::numbers::sqrt2 / 2;
   const NurbsCurve quarter = NurbsCurve::make(KnotVector::bezier(2), {{1, 0, 0, 1}, {1, 1, 0, w}, {0, 1, 0, 1}});
   for (double t = 0.0; t <= 1.0; t += 1.0 / 32) {

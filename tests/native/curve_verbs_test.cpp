@@ -78,7 +78,7 @@ TEST(Split, RefusesParametersThatLeaveNothingAndPeriodicCurves) {
   const NurbsCurve ring =
       NurbsCurve::make(KnotVector::periodic_uniform(2, 3), std::vector<glm::dvec4>(3, glm::dvec4(1)));
   EXPECT_EQ(refusal([&] { split(ring, 1.5); }),
-            "a periodic shape does not fall in two at one parameter: open it there first");
+            "a periodic shape is not cut in two at one parameter: open it there first");
 }
 
 TEST(Split, RefusesAPartThatLiesAtInfinityAltogether) {

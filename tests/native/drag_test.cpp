@@ -83,8 +83,8 @@ BezierPatch sheet(double from) {
 
 TEST(Drag, MovesWhatPatchesShareOnce) {
   // The sheets meet where x = 2, but for z.
-  const BezierPatch neighbour = sheet(2.0);
-  std::vector<glm::dvec4> right(neighbour.points().begin(), neighbour.points().end());
+  const BezierPatch neighbor = sheet(2.0);
+  std::vector<glm::dvec4> right(neighbor.points().begin(), neighbor.points().end());
   const BezierPatch first = sheet(0.0);
   for (int j = 0; j < 3; ++j) right[j] = first.points()[6 + j];
   const std::vector<AnyPatch> both{first, BezierPatch::make(3, 3, right)};

@@ -33,7 +33,7 @@ TEST(Interpolate, PassesThroughItsPointsInEveryDegree) {
         options.degree = degree;
         options.closing = closing;
         const auto [curve, error] =
-            interpolate(points, parameters_of(points, Parametrisation::centripetal, closing), options);
+            interpolate(points, parameters_of(points, Parameterization::centripetal, closing), options);
         EXPECT_EQ(curve.points().size(), count);
         EXPECT_LT(error, 1e-9) << degree << " " << count;
       }
@@ -54,7 +54,7 @@ TEST(Interpolate, GivenKnotsThatLieElsewhereAreSolvedAsWell) {
 
 TEST(Interpolate, RefusesWhatCannotBe) {
   std::vector<glm::dvec3> points = helix(6);
-  const std::vector<double> parameters = parameters_of(points, Parametrisation::chordal);
+  const std::vector<double> parameters = parameters_of(points, Parameterization::chordal);
   InterpolationOptions options;
   options.degree = 6;
   EXPECT_THROW(interpolate(points, parameters, options), InvalidShape);
@@ -71,11 +71,11 @@ TEST(InterpolatePatch, PassesThroughItsGrid) {
   const PointGrid grid{points, 12, 10};
   for (int degree = 1; degree <= 9; ++degree) {
     FitDirection u;
-    u.parameters = parameters_of(grid, Axis::u, Parametrisation::chordal);
+    u.parameters = parameters_of(grid, Axis::u, Parameterization::chordal);
     u.degree = degree;
     FitDirection v;
     v.closing = Closing::closed;
-    v.parameters = parameters_of(grid, Axis::v, Parametrisation::uniform, v.closing);
+    v.parameters = parameters_of(grid, Axis::v, Parameterization::uniform, v.closing);
     v.degree = 10 - degree;
     const auto [patch, error] = interpolate(grid, u, v);
     EXPECT_EQ(patch.points().size(), points.size());
@@ -85,8 +85,8 @@ TEST(InterpolatePatch, PassesThroughItsGrid) {
 
 TEST(InterpolatePatch, RefusesGridsThatAreNone) {
   const std::vector<glm::dvec3> points = helix(12);
-  EXPECT_THROW(parameters_of({points, 5, 3}, Axis::u, Parametrisation::uniform), InvalidShape);
-  EXPECT_THROW(parameters_of({points, 0, 0}, Axis::u, Parametrisation::chordal), InvalidShape);
+  EXPECT_THROW(parameters_of({points, 5, 3}, Axis::u, Parameterization::uniform), InvalidShape);
+  EXPECT_THROW(parameters_of({points, 0, 0}, Axis::u, Parameterization::chordal), InvalidShape);
   FitDirection u;
   u.parameters = {0, 1, 2, 3};
   FitDirection v;

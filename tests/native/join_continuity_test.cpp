@@ -17,10 +17,10 @@ NurbsCurve bezier(std::vector<glm::dvec4> points) {
   return NurbsCurve::make(knots, std::move(points));
 }
 
-/// A quarter of a circle about (0, centre) from its lowest point, to the right.
-NurbsCurve quarter(double radius, double centre) {
-  const double low = centre - radius;
-  return bezier({{0, low, 0, 1}, {radius, low, 0, std::sqrt(0.5)}, {radius, centre, 0, 1}});
+/// A quarter of a circle about (0, center) from its lowest point, to the right.
+NurbsCurve quarter(double radius, double center) {
+  const double low = center - radius;
+  return bezier({{0, low, 0, 1}, {radius, low, 0, std::sqrt(0.5)}, {radius, center, 0, 1}});
 }
 
 /// The x axis from -1 to 0.

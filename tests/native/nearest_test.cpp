@@ -43,9 +43,9 @@ TEST(Nearest, OfEqualPlacesIsTheFirst) {
   const auto arc = NurbsCurve::make(2, {0, 0, 0, 1, 1, 2, 2, 2},
                                     {{1, 0, 0, 1}, {1, 1, 0, std::sqrt(0.5)}, {0, 1, 0, 1}, {-1, 1, 0, std::sqrt(0.5)},
                                      {-1, 0, 0, 1}});
-  const glm::dvec3 centre(0.0);
+  const glm::dvec3 center(0.0);
   NearestOnCurve found;
-  nearest(arc, {&centre, 1}, {&found, 1});
+  nearest(arc, {&center, 1}, {&found, 1});
   EXPECT_EQ(found.parameter, 0.0);
   EXPECT_NEAR(found.distance, 1.0, 1e-15);
 }

@@ -159,7 +159,7 @@ TEST(NurbsPatch, RefusesWhatItsDirectionDoesNotAllow) {
                                             std::vector<glm::dvec4>(4, glm::dvec4(1)));
   EXPECT_EQ(refusal([&] { opened(patch, Axis::v, 0.5); }), "only a periodic direction can be opened");
   EXPECT_EQ(refusal([&] { split(patch, Axis::u, 0.5); }),
-            "a periodic shape does not fall in two at one parameter: open it there first");
+            "a periodic shape is not cut in two at one parameter: open it there first");
   EXPECT_EQ(refusal([&] { split(patch, Axis::v, 1); }), "u = 1 is not inside the domain (0, 1)");
   EXPECT_EQ(refusal([&] { insert_knot(patch, Axis::v, 0.5, 3); }), "times = 3 is outside [1, 2]");
 }

@@ -56,7 +56,7 @@ TEST(PatchNormals, OfRandomPatchesAreUnitVectorsAlongTheCrossProduct) {
   EXPECT_LE(curves, 10);
 }
 
-TEST(PatchNormals, OfASphereOctantPointToItsCentreAlsoAtThePole) {
+TEST(PatchNormals, OfASphereOctantPointToItsCenterAlsoAtThePole) {
   // u runs north and v runs east, so S_u x S_v points inwards.
   const NurbsPatch octant = bezier(2, 2, turned({{1, 0, 1}, {1, 1, kHalfRoot}, {0, 1, 1}}));
   for (int i = 0; i <= 16; ++i) {

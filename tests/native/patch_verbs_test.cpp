@@ -243,7 +243,7 @@ TEST(PatchVerbs, RefuseWhatCannotBe) {
   EXPECT_EQ(refusal([&] { elevated(patch, Axis::v, 255); }), "times = 255 is outside [0, 254]");
   EXPECT_EQ(refusal([&] { reduced(patch, Axis::v); }), "times = 1 is outside [1, 0]: a patch needs degree 1 or more");
   EXPECT_EQ(refusal([&] { reduced(patch, Axis::u, 1, -1.0); }), "tolerance = -1 is not 0 or more");
-  EXPECT_EQ(refusal([&] { remove_knot(patch, Axis::u, 0.0); }), "u = 0 is no knot that can be removed");
+  EXPECT_EQ(refusal([&] { remove_knot(patch, Axis::u, 0.0); }), "u = 0 is not a knot that can be removed");
   EXPECT_EQ(refusal([&] { remove_knots(patch, Axis::u, std::nan("")); }), "tolerance = nan is not 0 or more");
   EXPECT_EQ(refusal([&] { with_domain(patch, Axis::u, {1.0, 1.0}); }), "the domain from 1 to 1 is empty");
   EXPECT_NE(refusal([&] { moebius(patch, Axis::u, 0.0); }).find("rho = 0 is not positive"), std::string::npos);

@@ -35,18 +35,18 @@ std::vector<Place> places(const NurbsPatch& patch, int count = 41) {
   return found;
 }
 
-const glm::dvec3 kCentre(1.0, -2.0, 0.5);
+const glm::dvec3 kCenter(1.0, -2.0, 0.5);
 const glm::dvec3 kAxis(2.0, -1.0, 2.0);
 const glm::dvec3 kUnit = kAxis / 3.0;
 
-/// Height above the centre and the rest of the way, across the axis.
+/// Height above the center and the rest of the way, across the axis.
 struct Cylindrical {
   double height;
   glm::dvec3 out;
 };
 
 Cylindrical cylindrical(const glm::dvec3& point) {
-  const glm::dvec3 v = point - kCentre;
+  const glm::dvec3 v = point - kCenter;
   return {glm::dot(v, kUnit), v - glm::dot(v, kUnit) * kUnit};
 }
 
@@ -64,7 +64,7 @@ TEST(Primitives, EveryPointOfASphereHasItsRadiusAndItsNormalPointsOut) {
 }
 
 TEST(Primitives, EveryPointOfACylinderHasItsRadius) {
-  for (const auto& [point, normal] : places(cylinder(kCentre, kAxis, 1.5, 4.0))) {
+  for (const auto& [point, normal] : places(cylinder(kCenter, kAxis, 1.5, 4.0))) {
     const auto [height, out] = cylindrical(point);
     EXPECT_NEAR(glm::length(out), 1.5, kExact);
     EXPECT_LE(largest(normal - out / 1.5), 1e-14);
@@ -74,7 +74,7 @@ TEST(Primitives, EveryPointOfACylinderHasItsRadius) {
 
 TEST(Primitives, AConeNarrowsEvenlyUpToItsTip) {
   for (const double top : {0.0, 0.5, 3.0}) {
-    for (const auto& [point, normal] : places(cone(kCentre, kAxis, 1.5, 4.0, top))) {
+    for (const auto& [point, normal] : places(cone(kCenter, kAxis, 1.5, 4.0, top))) {
       const auto [height, out] = cylindrical(point);
       EXPECT_NEAR(glm::length(out), 1.5 + (top - 1.5) * height / 4.0, kExact);
       EXPECT_GE(glm::dot(normal, out), -kExact);
@@ -83,16 +83,16 @@ TEST(Primitives, AConeNarrowsEvenlyUpToItsTip) {
 }
 
 TEST(Primitives, EveryPointOfATorusHasTheDistanceOfItsTube) {
-  for (const auto& [point, normal] : places(torus(kCentre, kAxis, 3.0, 1.25))) {
+  for (const auto& [point, normal] : places(torus(kCenter, kAxis, 3.0, 1.25))) {
     const auto [height, out] = cylindrical(point);
-    const glm::dvec3 from_tube = point - kCentre - 3.0 * glm::normalize(out);
+    const glm::dvec3 from_tube = point - kCenter - 3.0 * glm::normalize(out);
     EXPECT_NEAR(glm::length(from_tube) / 1.25, 1.0, kExact);
     EXPECT_LE(largest(normal - from_tube / 1.25), 2e-14);
   }
 }
 
 TEST(Primitives, ADiscIsFlatWithTheAxisAsNormal) {
-  for (const auto& [point, normal] : places(disc(kCentre, kAxis, 2.0))) {
+  for (const auto& [point, normal] : places(disc(kCenter, kAxis, 2.0))) {
     EXPECT_NEAR(cylindrical(point).height, 0.0, kExact);
     EXPECT_LE(largest(normal - kUnit), 1e-14);
   }
@@ -125,7 +125,7 @@ TEST(Primitives, ATurnBeginsAtItsStartAndRunsAsFarAsItsSweep) {
 }
 
 TEST(Primitives, TheEdgesOfASphereArePolesBitForBit) {
-  const NurbsPatch patch = sphere(kCentre, 0.7, kAxis);
+  const NurbsPatch patch = sphere(kCenter, 0.7, kAxis);
   for (int i = 0; i < patch.count(Axis::u); ++i) {
     EXPECT_EQ(glm::dvec3(patch.points()[5 * i]), glm::dvec3(patch.points()[0]));
     EXPECT_EQ(glm::dvec3(patch.points()[5 * i + 4]), glm::dvec3(patch.points()[4]));
@@ -138,7 +138,7 @@ TEST(Primitives, WrongNumbersAreNamed) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refusal([&] { sphere(zero, -1.0); }), "radius = -1 is not a positive length");
   EXPECT_EQ(refusal([&] { sphere(zero, 1.0, zero); }), "axis has no direction: its length is 0");
-  EXPECT_EQ(refusal([&] { sphere({0, 0, inf}, 1.0); }), "centre.z = inf is not finite");
+  EXPECT_EQ(refusal([&] { sphere({0, 0, inf}, 1.0); }), "center.z = inf is not finite");
   EXPECT_EQ(refusal([&] { cylinder(zero, up, 1.0, 0.0); }), "height = 0 is not a positive length");
   EXPECT_EQ(refusal([&] { cylinder(zero, up, inf, 1.0); }), "radius = inf is not a positive length");
   EXPECT_EQ(refusal([&] { cone(zero, up, -1.0, 1.0); }), "radius = -1 is no length");

@@ -137,7 +137,7 @@ inline double random_weight(Random& random, Weights weights) {
   return integer(random, 0, 1) == 0 ? 0.0 : -real(random, 0.1, 2.0);
 }
 
-/// Of two neighbours one has a weight, so that no part of a shape lies at infinity altogether.
+/// Of two neighbors one has a weight, so that no part of a shape lies at infinity altogether.
 inline std::vector<glm::dvec4> random_points(Random& random, int count, Weights weights) {
   std::vector<glm::dvec4> points;
   for (int i = 0; i < count; ++i) {

@@ -99,7 +99,7 @@ def quality(p, q, r):
 
 def qualities(mesh, patch_set):
     """Of every triangle of mesh: its own, and that of the triangle with the same parameters in the tangent plane at
-    their middle, that is what the parametrisation alone makes of it."""
+    their middle, that is what the parameterization alone makes of it."""
     triangles = meshes.triangles(mesh.starts, len(mesh.vertex))
     own = quality(*np.moveaxis(mesh.positions[mesh.vertex[triangles]], 1, 0))
     given = np.empty(len(triangles))
@@ -123,7 +123,7 @@ def face_normals(mesh):
 
 
 def corner_normals(mesh):
-    """Of every corner the unit normal of the triangle with its neighbours."""
+    """Of every corner the unit normal of the triangle with its neighbors."""
     p = mesh.positions[mesh.vertex]
     before = np.empty_like(mesh.following)
     before[mesh.following] = np.arange(len(before))
@@ -162,7 +162,7 @@ def surface_normals(mesh, patch_set):
 
 
 def turning(mesh, normals):
-    """The largest angle between neighbouring or opposite normals on each face; NaN where one is none."""
+    """The largest angle between neighboring or opposite normals on each face; NaN where one is none."""
     opposite = mesh.following[mesh.following]
     cosines = np.minimum((normals * normals[mesh.following]).sum(axis=1), (normals * normals[opposite]).sum(axis=1))
     return np.arccos(np.clip(np.minimum.reduceat(cosines, mesh.starts), -1, 1))
@@ -205,7 +205,7 @@ def check_no_vertex_on_an_edge(mesh, size):
 
 
 def check(patch_set, tessellation):
-    """All of it. A triangle has a quality of 0.1 at least, but where the parametrisation alone makes it worse
+    """All of it. A triangle has a quality of 0.1 at least, but where the parameterization alone makes it worse
     (thin cells, and round a pole): there it keeps a quarter of what that gives, since cells of other sizes are
     joined by triangles of a part of their height."""
     mesh = mesh_of(patch_set, tessellation)
@@ -216,5 +216,5 @@ def check(patch_set, tessellation):
     own, given = qualities(mesh, patch_set)
     bound = np.minimum(given / 4, 0.1)
     worst = (own / bound).argmin()
-    found = f"a sliver of quality {own[worst]:.4f}, where the parametrisation gives {given[worst]:.4f}"
+    found = f"a sliver of quality {own[worst]:.4f}, where the parameterization gives {given[worst]:.4f}"
     assert own[worst] >= bound[worst], found

@@ -80,18 +80,18 @@ def _largest_distance(mesh, triangles, patch_set, positions, steps):
     distances = distances_to_triangles(points, corners[own])
     assert np.isfinite(distances).all(), "points or vertices are no numbers"
     # The nearest face may be one beside its own: that is looked for from the farthest point on, until it stays ahead.
-    neighbours = _neighbours(mesh.corner_vertices[triangles], len(positions))
+    neighbors = _neighbors(mesh.corner_vertices[triangles], len(positions))
     order, largest = np.argsort(-distances), 0.0
     for point in order:
         if distances[point] <= largest:
             break
-        others = neighbours(own[point])
+        others = neighbors(own[point])
         found = distances_to_triangles(np.broadcast_to(points[point], (len(others), 3)), corners[others]).min()
         largest = max(largest, min(found, distances[point]))
     return largest
 
 
-def _neighbours(vertices, count):
+def _neighbors(vertices, count):
     """A function that gives the triangles in two rings around one."""
     order = np.argsort(vertices.ravel(), kind='stable')
     starts = np.searchsorted(vertices.ravel()[order], np.arange(count + 1))

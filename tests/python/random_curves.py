@@ -29,7 +29,7 @@ def random_knots(rng, degree, spans, ends):
 
 
 def random_weights(rng, count, positive):
-    """Positive ones, or of any sign and zero; then a zero has neighbours that have a weight."""
+    """Positive ones, or of any sign and zero; then a zero has neighbors that have a weight."""
     weights = 2 ** rng.uniform(-2, 2, count)
     if not positive:
         kinds = rng.random(count)

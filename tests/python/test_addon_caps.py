@@ -143,7 +143,7 @@ def test_ends_at_right_angles_to_their_planes():
     line = sc.BezierCurve([(0, 0, 0), (1, 0, 0)]).to_nurbs()
     with pytest.raises(failures.Refusal, match="is straight"):
         make('loft', line, moved(line, z=1.0), start='normal')
-    with pytest.raises(failures.Refusal, match="go on from a surface"):
+    with pytest.raises(failures.Refusal, match="continue a surface"):
         make('loft', *rings, start='G1')
 
 

@@ -63,7 +63,7 @@ def require_count(a, b, radius, found, wanted, seed):
 
 
 def test_none_is_missed(inputs):
-    """Where a curve bends more than the arc, its place is not the nearest one to the centre."""
+    """Where a curve bends more than the arc, its place is not the nearest one to the center."""
     for seed in range(inputs(80)):
         rng = np.random.default_rng([seed, 4])
         a, b, radius = cubic(rng), cubic(rng), rng.uniform(0.1, 0.8)
@@ -90,5 +90,5 @@ def test_an_arc_that_touches_a_curve_twice_is_there_for_both_places():
     walls = build.contour([(-1, 3, 0), (-1, 0, 0), (1, 0, 0), (1, 3, 0)])
     floor = sc.BezierCurve([(-4, 0.5, 0), (4, 0.5, 0)])
     found = build.fillets(walls, floor, 1.0)
-    centres = {tuple(np.round(arc.evaluate(arc.domain[0]), 6)) for arc, *_ in found}
-    assert {(-1.0, 1.5, 0.0), (1.0, 1.5, 0.0)} <= centres
+    centers = {tuple(np.round(arc.evaluate(arc.domain[0]), 6)) for arc, *_ in found}
+    assert {(-1.0, 1.5, 0.0), (1.0, 1.5, 0.0)} <= centers

@@ -24,15 +24,15 @@ def pieces_of(seed, count):
 
 
 @pytest.mark.parametrize("size", [1e-150, 1.0, 1e150])
-@pytest.mark.parametrize("centre", [0.0, 1e3])
-def test_equal_parts_of_a_circle_are_equal_angles(size, centre):
-    curve = sc.NurbsCurve(2, shapes.CIRCLE_KNOTS, size * (np.array(shapes.SQUARE) + centre), shapes.SQUARE_WEIGHTS)
+@pytest.mark.parametrize("center", [0.0, 1e3])
+def test_equal_parts_of_a_circle_are_equal_angles(size, center):
+    curve = sc.NurbsCurve(2, shapes.CIRCLE_KNOTS, size * (np.array(shapes.SQUARE) + center), shapes.SQUARE_WEIGHTS)
     for count in (1, 2, 7, 1000):
         u = curve.divide(count)
         assert u.shape == (count,) and u[0] == 0
-        x, y = (curve.evaluate(u)[:, :2] / size - centre).T
+        x, y = (curve.evaluate(u)[:, :2] / size - center).T
         angles = np.unwrap(np.arctan2(y, x))
-        assert np.abs(angles - 2 * math.pi * np.arange(count) / count).max() < 1e-12 * max(1, centre)
+        assert np.abs(angles - 2 * math.pi * np.arange(count) / count).max() < 1e-12 * max(1, center)
 
 
 def test_the_perimeter_of_an_ellipse_is_the_elliptic_integral():

@@ -218,7 +218,7 @@ def test_what_is_remembered_of_the_open_file_has_one_room():
 
 
 def test_refusals_are_told_from_mistakes():
-    """What a modeller is told of is a Refusal; a ValueError that nobody raised for him is a mistake of ours."""
+    """What a modeler is told of is a Refusal; a ValueError that nobody raised for him is a mistake of ours."""
     allowed = {"failures.py", "store.py", "recipes.py"}
     for _, path in addon_files():
         if path.name not in allowed:

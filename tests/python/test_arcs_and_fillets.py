@@ -1,4 +1,4 @@
-"""Arcs by points, tangents and centres, and arcs that touch two curves: closed forms, random ones, and bad calls."""
+"""Arcs by points, tangents and centers, and arcs that touch two curves: closed forms, random ones, and bad calls."""
 
 import numpy as np
 import pytest
@@ -8,15 +8,15 @@ from splinecore import build, conics
 
 
 def circle_of(arc):
-    """Centre and radius, of which all points are checked."""
+    """Center and radius, of which all points are checked."""
     points = arc.evaluate(np.linspace(*arc.domain, 200))
     a, b, c = points[0], points[70], points[150]
     u, v = b - a, c - a
     normal = np.cross(u, v)
-    centre = a + (np.cross(normal, u) * (v @ v) + np.cross(v, normal) * (u @ u)) / (2 * normal @ normal)
-    radii = np.linalg.norm(points - centre, axis=1)
+    center = a + (np.cross(normal, u) * (v @ v) + np.cross(v, normal) * (u @ u)) / (2 * normal @ normal)
+    radii = np.linalg.norm(points - center, axis=1)
     assert radii == pytest.approx(radii[0], rel=1e-9)
-    return centre, radii[0]
+    return center, radii[0]
 
 
 @pytest.mark.parametrize("scale", [1e-150, 1e-6, 1.0, 1e6, 1e150])
@@ -50,7 +50,7 @@ def test_arcs_from_a_tangent():
         circle_of(arc)
 
 
-def test_arcs_about_a_centre():
+def test_arcs_about_a_center():
     for angle in (0.3, 2.0, np.pi, 5.0):
         arc = conics.arc_about((1, 2, 3), (3, 2, 3), (1 + np.cos(angle), 2 + np.sin(angle), 3))
         assert arc.length(tolerance=1e-12) == pytest.approx(2 * angle)
@@ -67,7 +67,7 @@ def test_bad_arcs():
                         (lambda: conics.arc_from_tangent((0, 0, 0), (1, 1, 0), (2, 2, 0)), "line between"),
                         (lambda: conics.arc_from_tangent((0, 0, 0), (0, 0, 0), (2, 2, 0)), "direction is zero"),
                         (lambda: conics.arc_from_tangent((1, 0, 0), (0, 1, 0), (1, 0, 0)), "are one"),
-                        (lambda: conics.arc_about((0, 0, 0), (0, 0, 0), (1, 0, 0)), "is the centre"),
+                        (lambda: conics.arc_about((0, 0, 0), (0, 0, 0), (1, 0, 0)), "is the center"),
                         (lambda: conics.arc_about((0, 0, 0), (0, 0, 1), (1, 0, 0)), "along the radius")):
         with pytest.raises(sc.InvalidShape, match=match):
             call()
@@ -79,7 +79,7 @@ def line(start, end):
 
 def check(a, b, radius, found):
     for arc, u, v, goes_on_a, goes_on_b in found:
-        centre, of = circle_of(arc)
+        center, of = circle_of(arc)
         assert of == pytest.approx(radius, rel=1e-10)
         for curve, at, end, goes_on in ((a, u, 0, goes_on_a), (b, v, 1, goes_on_b)):
             point, along = curve.derivatives(at, 1)

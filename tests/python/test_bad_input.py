@@ -173,7 +173,7 @@ def test_the_first_element_that_is_no_number_is_named(bad, words):
 
 @pytest.mark.parametrize("argument", [name for name in TAKES_NUMBERS if name not in ("points", "tangents", "tangents_u",
                                                                                    "tangents_v", "twists")])
-def test_a_word_among_numbers_is_named_and_not_its_neighbours(argument):
+def test_a_word_among_numbers_is_named_and_not_its_neighbors(argument):
     for bad in ([0.0, "abc", 1.0], (0.0, "abc", 1.0)):
         with pytest.raises(TypeError, match=rf"^{argument}\[1\] = 'abc' is not a real number"):
             TAKES_NUMBERS[argument](bad)
@@ -203,7 +203,7 @@ def test_what_is_no_pair_raises_type_error_that_names_the_argument(bad):
 
 
 def test_unknown_missing_and_extra_arguments_raise_type_error():
-    for call in (lambda: nurbs(colour=1), lambda: sc.NurbsCurve(1, LINEAR), lambda: circle().evaluate(),
+    for call in (lambda: nurbs(color=1), lambda: sc.NurbsCurve(1, LINEAR), lambda: circle().evaluate(),
                  lambda: circle().evaluate(0, "left"), lambda: torus().evaluate(0), lambda: sc.NurbsCurve()):
         with pytest.raises(TypeError):
             call()

@@ -98,9 +98,9 @@ def test_samples_applied_to_homogeneous_points_are_the_curve(curve):
 
 def test_samples_apply_to_rows_of_any_shape():
     samples = Samples(circle().knot_vector, [0.5, 1.5], order=1, side="left")
-    colours = np.random.default_rng(0).random((9, 2, 4))
-    assert samples.apply(colours).shape == (2, 2, 4) and samples.apply(np.ones(9)).tolist() == [1, 1]
-    assert np.abs(samples.apply(colours[:, 0, 0], 1)).shape == (2,)
+    colors = np.random.default_rng(0).random((9, 2, 4))
+    assert samples.apply(colors).shape == (2, 2, 4) and samples.apply(np.ones(9)).tolist() == [1, 1]
+    assert np.abs(samples.apply(colors[:, 0, 0], 1)).shape == (2,)
     assert Samples(circle().knot_vector, []).apply(np.ones((9, 3))).shape == (0, 3)
     assert Samples(circle().knot_vector, []).weights().shape == (0, 3)
 

@@ -170,7 +170,7 @@ def test_sides_and_derivatives_are_those_given_also_of_rational_sides(inputs):
             assert np.abs(leaving(made, border, places) - wanted).max() <= 1e-7 * size
 
 
-def test_a_side_without_vectors_takes_the_twists_of_its_neighbours():
+def test_a_side_without_vectors_takes_the_twists_of_its_neighbors():
     patch = cubic_across(np.random.default_rng(7), 3)
     sides, across = around(patch)
     made = build.coons(sides, across=[across[0], None, across[2], None]).value

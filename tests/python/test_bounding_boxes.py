@@ -113,9 +113,9 @@ def test_a_summit_inside_is_found():
     """x² + y² has its least and -(x² + y²) its largest value at a place that no halving meets."""
     line = np.array([0.0, 0.0, 1.0])
 
-    def square(centre):
-        # Bernstein coefficients of (t - centre)² on [0, 1].
-        return np.array([centre**2, centre**2 - centre, (1 - centre) ** 2])
+    def square(center):
+        # Bernstein coefficients of (t - center)² on [0, 1].
+        return np.array([center**2, center**2 - center, (1 - center) ** 2])
 
     u, v = np.meshgrid([0, 0.5, 1], [0, 0.5, 1], indexing="ij")
     for a, b in ((0.3, 0.7), (1 / 3, math.pi / 4), (1e-5, 0.999)):

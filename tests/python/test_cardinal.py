@@ -121,12 +121,12 @@ LINE = [(0, 0), (1, 1), (2, 0)]
     (lambda: catmull_rom(LINE[:2], closed=True), "points has 2 rows, 3 or more"),
     (lambda: catmull_rom([(0, 0), (NAN, 1)]), r"points\[1\].x = nan"),
     (lambda: catmull_rom([(0, 0), (1e200, 0)], "chordal", tension=1e200), "inf is not finite"),
-    (lambda: catmull_rom(LINE, "middle"), "parametrisation = 'middle' is none of 'centripetal', 'chordal', 'uniform'"),
-    (lambda: catmull_rom(LINE, [0, 1]), "parametrisation has 2 values for 3 points"),
-    (lambda: catmull_rom(LINE, []), "parametrisation has 0 values"),
-    (lambda: catmull_rom(LINE, [0, 1, 2], closed=True), "parametrisation has 3 values for 4 points"),
-    (lambda: catmull_rom(LINE, [0, 2, 1]), r"parametrisation\[2\] = 1 does not increase"),
-    (lambda: catmull_rom(LINE, [0, 1, NAN]), r"parametrisation\[2\] = nan"),
+    (lambda: catmull_rom(LINE, "middle"), "parameterization = 'middle' is none of 'centripetal', 'chordal', 'uniform'"),
+    (lambda: catmull_rom(LINE, [0, 1]), "parameterization has 2 values for 3 points"),
+    (lambda: catmull_rom(LINE, []), "parameterization has 0 values"),
+    (lambda: catmull_rom(LINE, [0, 1, 2], closed=True), "parameterization has 3 values for 4 points"),
+    (lambda: catmull_rom(LINE, [0, 2, 1]), r"parameterization\[2\] = 1 does not increase"),
+    (lambda: catmull_rom(LINE, [0, 1, NAN]), r"parameterization\[2\] = nan"),
     (lambda: catmull_rom(LINE, ends="loose"), "ends = 'loose'"),
     (lambda: catmull_rom(LINE, tension=NAN), r"tension(\[0\])? = nan"),
     (lambda: kochanek_bartels(LINE, bias=[0, 0, NAN]), r"bias\[2\] = nan"),
@@ -138,7 +138,7 @@ def test_bad_numbers_are_named(call, words):
 
 
 @pytest.mark.parametrize("call, words", [
-    (lambda: catmull_rom(None), "points"), (lambda: catmull_rom(LINE, None), "parametrisation"),
+    (lambda: catmull_rom(None), "points"), (lambda: catmull_rom(LINE, None), "parameterization"),
     (lambda: catmull_rom(LINE, tension="1"), "tension"), (lambda: catmull_rom(LINE, closed=1), "closed"),
     (lambda: catmull_rom(LINE, ends=None), "ends must be a str"), (lambda: kochanek_bartels(LINE, bias=None), "bias"),
 ])

@@ -90,15 +90,15 @@ def test_tubes_and_balls_through_waves(spans):
     patch = wave(spans)
     for k in range(6):
         radius = 10**rng.uniform(-0.3, 1.3)
-        centre = np.array([*rng.uniform(-2, 2, 2), radius * rng.choice([-1, 1]) + rng.uniform(-0.8, 0.8)])
+        center = np.array([*rng.uniform(-2, 2, 2), radius * rng.choice([-1, 1]) + rng.uniform(-0.8, 0.8)])
         if k % 2:
-            other = build.sphere(centre, radius)
-            far = lambda points: np.linalg.norm(points - centre, axis=-1) - radius
+            other = build.sphere(center, radius)
+            far = lambda points: np.linalg.norm(points - center, axis=-1) - radius
         else:
             axis = rng.normal(size=3)
             axis /= np.linalg.norm(axis)
-            other = build.cylinder(centre - 60 * axis, axis, radius, 120)
-            far = lambda points: np.linalg.norm(np.cross(points - centre, axis), axis=-1) - radius
+            other = build.cylinder(center - 60 * axis, axis, radius, 120)
+            far = lambda points: np.linalg.norm(np.cross(points - center, axis), axis=-1) - radius
         found = patch.sections(other)
         assert not len(missed_roots(patch, found, far))
         for one, curve in enumerate(found.curves):

@@ -209,14 +209,14 @@ def test_foci_have_the_sum_and_the_difference(f1, f2, more, less):
 
 
 @given(vectors, vectors, vectors)
-def test_a_hyperbola_has_its_centre_its_vertices_and_its_asymptotes(centre, a, b):
-    centre, a, b = map(np.array, (centre, a, b))
+def test_a_hyperbola_has_its_center_its_vertices_and_its_asymptotes(center, a, b):
+    center, a, b = map(np.array, (center, a, b))
     assume(np.linalg.norm(np.cross(a, b)) > 1e-3 * max(1, np.linalg.norm(a) * np.linalg.norm(b)))
-    for branch, sign in zip(conics.hyperbola(centre, a, b), (1, -1), strict=True):
+    for branch, sign in zip(conics.hyperbola(center, a, b), (1, -1), strict=True):
         assert np.array_equal(branch.weights, [0, 1, 1, 1, 0])
-        assert np.allclose(branch.evaluate(0.5), centre + sign * a, rtol=1e-12, atol=1e-9)
+        assert np.allclose(branch.evaluate(0.5), center + sign * a, rtol=1e-12, atol=1e-9)
         u = np.linspace(0.05, 0.95, 19)
-        x, y = np.linalg.lstsq(np.column_stack([a, b]), (branch.evaluate(u) - centre).T, rcond=None)[0]
+        x, y = np.linalg.lstsq(np.column_stack([a, b]), (branch.evaluate(u) - center).T, rcond=None)[0]
         assert np.allclose(x * x - y * y, 1, rtol=0, atol=1e-6 * (x * x).max())
         assert (sign * x > 0).all()
 
@@ -240,12 +240,12 @@ def test_a_parabola_is_as_far_from_its_focus_as_from_its_directrix():
 def test_a_conic_tells_its_measures():
     conic = conics.ImplicitConic([9, 0, 25, 0, 0, -225], origin=(1, 1, 1), x_axis=(0, 2, 0), y_axis=(0, 0, 3))
     assert (conic.type, conic.half_lengths, conic.eccentricity) == ("ellipse", (5, 3), 0.8)
-    assert conic.centre.tolist() == [1, 1, 1] and [axis.tolist() for axis in conic.axes] == [[0, 1, 0], [0, 0, 1]]
+    assert conic.center.tolist() == [1, 1, 1] and [axis.tolist() for axis in conic.axes] == [[0, 1, 0], [0, 0, 1]]
     assert [focus.tolist() for focus in conic.foci] == [[1, -3, 1], [1, 5, 1]]
     assert repr(conic) == "ImplicitConic(ellipse)"
     assert not conic.coefficients.flags.writeable
     empty = conics.ImplicitConic([1, 0, 1, 0, 0, 1])
-    assert (empty.type, empty.centre, empty.foci, empty.eccentricity) == ("empty", None, [], None)
+    assert (empty.type, empty.center, empty.foci, empty.eccentricity) == ("empty", None, [], None)
 
 
 def test_conics_are_values():
@@ -279,10 +279,10 @@ REFUSED = [
     (lambda: conics.circle((0, 0), 0), r"radius = 0 "),
     (lambda: conics.circle((0, 0), -1), r"radius = -1"),
     (lambda: conics.circle((0, 0), NAN), r"radius"),
-    (lambda: conics.circle((0, NAN), 1), r"centre\[1\] = nan"),
+    (lambda: conics.circle((0, NAN), 1), r"center\[1\] = nan"),
     (lambda: conics.circle((0, 0), 1, (0, 0, 0)), r"normal has no direction"),
-    (lambda: conics.circle((0, 0, 0, 0), 1), r"centre has shape \(4,\)"),
-    (lambda: conics.circle([(0, 0)], 1), r"centre has shape \(1, 2\)"),
+    (lambda: conics.circle((0, 0, 0, 0), 1), r"center has shape \(4,\)"),
+    (lambda: conics.circle([(0, 0)], 1), r"center has shape \(1, 2\)"),
     (lambda: conics.circle((0, 0), 1, form="round"), r"form = 'round'"),
     (lambda: conics.circle((0, 0), 1, form=None), r"form = None"),
     (lambda: conics.ellipse((0, 0), (0, 0), (0, 1)), r"axis_a has the length 0"),

@@ -19,10 +19,10 @@ def curve(degree, knots, points, weights=None):
     return sc.NurbsCurve(degree, knots, points, weights)
 
 
-def arc(radius, start, sweep, centre=(0, 0), middle=1.0):
+def arc(radius, start, sweep, center=(0, 0), middle=1.0):
     """A circular arc as one rational quadratic; another middle weight makes it another conic."""
     def at(angle, size=1.0):
-        return centre[0] + radius * size * math.cos(angle), centre[1] + radius * size * math.sin(angle)
+        return center[0] + radius * size * math.cos(angle), center[1] + radius * size * math.sin(angle)
 
     half = sweep / 2
     points = [at(start), at(start + half, 1 / math.cos(half)), at(start + sweep)]
@@ -49,14 +49,14 @@ def test_arcs_of_one_circle_go_on_with_one_curvature():
 
 @pytest.mark.parametrize("radius", [0.01, 0.5, 2, 100])
 def test_a_smaller_circle_inside_differs_by_its_curvature(radius):
-    touching = arc(radius, 1, 1, centre=((1 - radius) * math.cos(1), (1 - radius) * math.sin(1)))
+    touching = arc(radius, 1, 1, center=((1 - radius) * math.cos(1), (1 - radius) * math.sin(1)))
     found = arc(1, 0, 1).continuity_to(touching)
     assert (found.c, found.g) == (0, 1) and found.angle <= 1e-13
     assert math.isclose(found.curvature_difference, abs(1 / radius - 1), rel_tol=1e-11)
 
 
 def test_circles_that_touch_from_outside_bend_opposite_ways():
-    found = arc(1, 0, 1).continuity_to(arc(0.5, 1 + math.pi, -1, centre=(1.5 * math.cos(1), 1.5 * math.sin(1))))
+    found = arc(1, 0, 1).continuity_to(arc(0.5, 1 + math.pi, -1, center=(1.5 * math.cos(1), 1.5 * math.sin(1))))
     assert found.g == 1 and math.isclose(found.curvature_difference, 1 + 2, rel_tol=1e-12)
 
 

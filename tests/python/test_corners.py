@@ -124,8 +124,8 @@ def test_a_circle_is_not_cut():
     circle = conics.circle((0, 0, 0), 1)
     kept, arc, rest = build.filleted(circle, line((0, 0), (4, 0)), 0.25, (circle.domain[0] + 0.05, 0.9))
     assert kept == circle
-    centre_away = np.linalg.norm(arc.evaluate(np.mean(arc.domain)))
-    assert centre_away > 1 and ends(rest)[1] == pytest.approx((4, 0, 0))
+    center_away = np.linalg.norm(arc.evaluate(np.mean(arc.domain)))
+    assert center_away > 1 and ends(rest)[1] == pytest.approx((4, 0, 0))
 
 
 def test_random_curves_with_their_fillets_are_smooth():
@@ -165,7 +165,7 @@ def test_bad_calls_are_refused():
         (lambda: build.chamfered(a, b, (0, 0), (0, 0)), "both lengths are 0"),
         (lambda: build.chamfered(a, b, (-1, 0), (0, 0)), "0 or more"),
         (lambda: build.chamfered(a, b, (9, 1), (0, 0)), "too short"),
-        (lambda: build.chamfered(a, line((0, 1), (1, 1)), (1, 1), (0, 0)), "nor would they"),
+        (lambda: build.chamfered(a, line((0, 1), (1, 1)), (1, 1), (0, 0)), "nor do their"),
         (lambda: build.contour([(0, 0)]), "two points"),
         (lambda: build.contour([(0, 0), (0, 0)]), "no length"),
         (lambda: build.contour([(0, 0), (1, 0)], [1, 2]), "2 values for 1 parts"),

@@ -20,12 +20,12 @@ CHANGES = {'finer': lambda p: p.refine('v', np.linspace(*p.domain[1], 9)[1:-1]),
 
 def border_of(mesh):
     """The rings of edges with one face, as lists of vertices."""
-    neighbours = {}
+    neighbors = {}
     for a, b in (edge for edge, faces in edges_of(mesh).items() if len(faces) == 1):
-        neighbours.setdefault(a, []).append(b)
-        neighbours.setdefault(b, []).append(a)
-    assert all(len(found) == 2 for found in neighbours.values())
-    rings, left = [], set(neighbours)
+        neighbors.setdefault(a, []).append(b)
+        neighbors.setdefault(b, []).append(a)
+    assert all(len(found) == 2 for found in neighbors.values())
+    rings, left = [], set(neighbors)
     while left:
         ring, waiting = [], [min(left)]
         while waiting:
@@ -33,7 +33,7 @@ def border_of(mesh):
             if vertex in left:
                 left.remove(vertex)
                 ring.append(vertex)
-                waiting += neighbours[vertex]
+                waiting += neighbors[vertex]
         rings.append(ring)
     return rings
 

@@ -16,14 +16,14 @@ def line(start, end):
     return bezier(start, end)
 
 
-def touch(curve, u, centre):
-    """(distance from the centre, cosine of the angle between the way there and the tangent)."""
+def touch(curve, u, center):
+    """(distance from the center, cosine of the angle between the way there and the tangent)."""
     point, along = curve.derivatives(u, 1)
-    away = centre - point
+    away = center - point
     return np.linalg.norm(away), (away @ along) / np.linalg.norm(away) / np.linalg.norm(along)
 
 
-def centre_of(arc):
+def center_of(arc):
     a, b, c = arc.evaluate(np.array([arc.domain[0], np.mean(arc.domain), arc.domain[1]]))
     u, v = b - a, c - a
     normal = np.cross(u, v)
@@ -33,7 +33,7 @@ def centre_of(arc):
 def require_touching(a, b, radius, found, seed=None):
     for arc, u, v, *_ in found:
         for curve, at in ((a, u), (b, v)):
-            distance, cosine = touch(curve, at, centre_of(arc))
+            distance, cosine = touch(curve, at, center_of(arc))
             assert abs(distance - radius) <= 1e-7 * radius and abs(cosine) <= 1e-6, (seed, distance, cosine)
 
 
@@ -67,7 +67,7 @@ def polyline(rng, count):
 
 
 def arcs_of_lines(a, b, radius):
-    """Of two segments, by hand: centres beside both."""
+    """Of two segments, by hand: centers beside both."""
     (p, q), (r, s) = ((np.array(c.points)[0, :2], np.array(c.points)[-1, :2]) for c in (a, b))
     d, e = (q - p) / np.linalg.norm(q - p), (s - r) / np.linalg.norm(s - r)
     count = 0

@@ -42,17 +42,17 @@ def reshaped(curve, rng):
 def test_random_ellipses_in_all_forms_are_as_near_as_said(inputs):
     for seed in range(inputs(1000)):
         rng = np.random.default_rng(seed)
-        centre, a, b = random_ellipse(rng)
+        center, a, b = random_ellipse(rng)
         size = max(np.linalg.norm(a), np.linalg.norm(b))
         tolerance = size * 10 ** rng.uniform(-5, -1)
-        curve = reshaped(sc.conics.ellipse(centre, a, b, FORMS[seed % 4]), rng)
+        curve = reshaped(sc.conics.ellipse(center, a, b, FORMS[seed % 4]), rng)
         made, found = deformed(curve, tolerance)
         assert made.degree == 3 and made.periodic and (made.weights == 1).all() and made.domain == pytest.approx(curve.domain)
         assert found.changed.error <= tolerance and found.count == 1 and found.rational == 0
         points = made.evaluate(np.linspace(*made.domain, 41)[:-1])
-        assert curve.nearest(points).distances.max() <= found.changed.error * (1 + 1e-6) + 1e-9 * (size + np.linalg.norm(centre))
+        assert curve.nearest(points).distances.max() <= found.changed.error * (1 + 1e-6) + 1e-9 * (size + np.linalg.norm(center))
         start, way = made.evaluate(made.domain[0]), made.derivatives(made.domain[0], 1)[1] if hasattr(made, "derivatives") else None
-        near = found.changed.error * 1.01 + 1e-9 * (size + np.linalg.norm(centre))
+        near = found.changed.error * 1.01 + 1e-9 * (size + np.linalg.norm(center))
         assert np.linalg.norm(start - curve.evaluate(curve.domain[0])) <= near
         if way is not None:
             assert way @ curve.derivatives(curve.domain[0], 1)[1] > 0
@@ -61,34 +61,34 @@ def test_random_ellipses_in_all_forms_are_as_near_as_said(inputs):
 def test_random_arcs_keep_their_ends(inputs):
     for seed in range(inputs(1000)):
         rng = np.random.default_rng(seed)
-        centre, a, b = random_ellipse(rng)
+        center, a, b = random_ellipse(rng)
         size, sweep = max(np.linalg.norm(a), np.linalg.norm(b)), float(rng.uniform(0.1, 6.2) * rng.choice([-1, 1]))
-        curve = sc.conics.arc(centre, a, b, float(rng.uniform(-9, 9)), sweep)
+        curve = sc.conics.arc(center, a, b, float(rng.uniform(-9, 9)), sweep)
         made, found = deformed(curve, size * 10 ** rng.uniform(-5, -1))
         assert (made.weights == 1).all() and not made.periodic and made.degree == 3
         away = made.evaluate(np.array(made.domain)) - curve.evaluate(np.array(curve.domain))
-        assert np.abs(away).max() <= 1e-9 * (size + np.linalg.norm(centre))
+        assert np.abs(away).max() <= 1e-9 * (size + np.linalg.norm(center))
         points = made.evaluate(np.linspace(*made.domain, 33))
-        assert curve.nearest(points).distances.max() <= found.changed.error * (1 + 1e-6) + 1e-9 * (size + np.linalg.norm(centre))
+        assert curve.nearest(points).distances.max() <= found.changed.error * (1 + 1e-6) + 1e-9 * (size + np.linalg.norm(center))
 
 
 def random_patch(rng):
-    centre, a, b = random_ellipse(rng)
+    center, a, b = random_ellipse(rng)
     kind = rng.integers(0, 6)
     direction = np.cross(a, b)
     radius, height = float(10 ** rng.uniform(-2, 2)), float(10 ** rng.uniform(-2, 2))
     arc = (float(rng.uniform(-4, 4)), None if rng.random() < 0.5 else float(rng.uniform(0.2, 6) * rng.choice([-1, 1])))
     if kind == 0:
-        return build.sphere(centre, radius, direction, *arc)
+        return build.sphere(center, radius, direction, *arc)
     if kind == 1:
-        return build.torus(centre, direction, radius, radius * float(rng.uniform(0.05, 0.9)), *arc)
+        return build.torus(center, direction, radius, radius * float(rng.uniform(0.05, 0.9)), *arc)
     if kind == 2:
-        return build.cylinder(centre, direction, radius, height, *arc)
+        return build.cylinder(center, direction, radius, height, *arc)
     if kind == 3:
-        return build.cone(centre, direction, radius, height, radius * float(rng.uniform(0, 3)), *arc)
+        return build.cone(center, direction, radius, height, radius * float(rng.uniform(0, 3)), *arc)
     if kind == 4:
-        return build.extrude(sc.conics.ellipse(centre, a, b, FORMS[int(rng.integers(4))]), direction)
-    return build.disc(centre, direction, radius, *arc)
+        return build.extrude(sc.conics.ellipse(center, a, b, FORMS[int(rng.integers(4))]), direction)
+    return build.disc(center, direction, radius, *arc)
 
 
 def test_random_surfaces_are_as_near_as_said_smooth_and_without_weights(inputs):

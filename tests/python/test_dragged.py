@@ -345,7 +345,7 @@ def test_a_hermite_patch_moves_tangents_and_twists_too():
     assert np.allclose(moved.evaluate(u, v) - patch.evaluate(u, v), BY, atol=1e-13)
 
 
-def test_neighbours_go_along():
+def test_neighbors_go_along():
     rng = np.random.default_rng(10)
     left = sc.BezierPatch(rng.uniform(-1, 1, (4, 4, 3)))
     right = rng.uniform(-1, 1, (4, 4, 3))

@@ -162,12 +162,12 @@ SPACE = sc.BezierCurve([(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)])
 @pytest.mark.parametrize("call, error, message", [
     (lambda: SPACE.inflections(), sc.InvalidShape, "the curve lies in no plane: points["),
     (lambda: SPACE.signed_curvature(0.5), sc.InvalidShape, "the curve lies in no plane"),
-    (lambda: SPACE.inflections((0, 0, 0)), sc.InvalidShape, "direction is no direction: it is zero or not finite"),
-    (lambda: SPACE.extrema((0, 0, 0)), sc.InvalidShape, "direction is no direction"),
+    (lambda: SPACE.inflections((0, 0, 0)), sc.InvalidShape, "direction is not a direction: it is zero or not finite"),
+    (lambda: SPACE.extrema((0, 0, 0)), sc.InvalidShape, "direction is not a direction"),
     (lambda: SPACE.extrema((0, 0, math.nan)), sc.InvalidShape, "direction"),
     (lambda: SPACE.extrema((0, 0, 0, 1)), sc.InvalidShape, "direction"),
     (lambda: SPACE.extrema(None), TypeError, "direction"),
-    (lambda: SPACE.signed_curvature(0.5, (0, 0, 0)), sc.InvalidShape, "normal is no direction"),
+    (lambda: SPACE.signed_curvature(0.5, (0, 0, 0)), sc.InvalidShape, "normal is not a direction"),
     (lambda: SPACE.signed_curvature(2, (0, 0, 1)), sc.InvalidShape, "u = 2 is outside the domain"),
     (lambda: shapes.hyperbola().extrema((1, 0, 0)), sc.PointAtInfinity, ""),
 ])

@@ -69,8 +69,8 @@ def test_what_it_says_is_what_is_measured():
     around = polygon_hole(5, "G1")
     filling = build.fill(around)
     angles = []
-    for i, (neighbour, side, _) in enumerate(around):
-        before, behind = neighbour.split("u", 0.5)
+    for i, (neighbor, side, _) in enumerate(around):
+        before, behind = neighbor.split("u", 0.5)
         angles.append(sc.seam_continuity(filling.patches[i], "v_start", before, side).angle)
         angles.append(sc.seam_continuity(filling.patches[(i + 1) % 5], "u_start", behind, side).angle)
     assert max(angles) == pytest.approx(filling.angle, abs=1e-12)
@@ -122,7 +122,7 @@ def test_rational_sides_are_reached_within_the_tolerance():
     assert np.abs(points[:, 2]).max() <= 1e-12 and np.hypot(points[:, 0], points[:, 1]).max() <= 1 + 1e-5
 
 
-def test_random_neighbours_are_followed_or_refused(inputs):
+def test_random_neighbors_are_followed_or_refused(inputs):
     rng = np.random.default_rng(7)
     followed, wanted = 0, inputs(240)
     for _ in range(wanted):
@@ -171,7 +171,7 @@ def wavy_side():
     return sc.NurbsCurve(3, [0] * 4 + [k / 7 for k in range(1, 7)] + [1] * 4, np.c_[np.linspace(0, 1, 10), y, 0 * y])
 
 
-def test_sides_are_kept_where_neighbours_let_no_angle_be_reached():
+def test_sides_are_kept_where_neighbors_let_no_angle_be_reached():
     """A tilted strip beside flat ones: what is off at a corner is said, and a side with many knots is there exactly."""
     filling = build.fill([wavy_side(), flat_about(1), flat_about(2, 1e-3), flat_about(3)])
     assert filling.gap <= 1e-14 and filling.angle == pytest.approx(1e-3, rel=0.05)
@@ -186,7 +186,7 @@ def test_sides_of_high_degrees_are_kept(degree):
 
 
 def bent_quadric_hole(weights):
-    """Neighbours in a quadric, bent behind their sides, with weights."""
+    """Neighbors in a quadric, bent behind their sides, with weights."""
     rng = np.random.default_rng(5)
     around = []
     for patch, side, word in polygon_hole(4, "G1", 0.3, 1.2):
@@ -221,7 +221,7 @@ def rational_sphere_patch(corners):
 
 
 @pytest.mark.parametrize("stretch", [1.0, 0.7])
-def test_rational_borders_are_those_of_the_neighbours(stretch):
+def test_rational_borders_are_those_of_the_neighbors(stretch):
     """With fewer points than polynomials have that come as close."""
     angles = 2 * np.pi * np.arange(4) / 4 + 0.3
     inner = 0.4 * np.c_[np.cos(angles), stretch * np.sin(angles)]
@@ -268,7 +268,7 @@ def test_what_is_no_side_is_a_type_error(sides):
 @pytest.mark.parametrize("word", ["G1", "G2"])
 @pytest.mark.parametrize("knot", [0.5, 0.3, 0.1])
 def test_knots_that_are_not_even_are_as_good_on_either_side(knot, word):
-    """Two like neighbours, mirrored, with a knot that is not in the middle."""
+    """Two like neighbors, mirrored, with a knot that is not in the middle."""
     knots = [0, 0, 0, 0, knot, 1, 1, 1, 1]
     side = sc.NurbsCurve(3, knots, [(0, 0, 0), (0.1, 0.2, 0.3), (0, 0.5, 0.5), (0.1, 0.8, 0.2), (0, 1, 0)])
     behind = side.with_points([(-0.5, 0, 0), (-0.5, 0.2, 0), (-0.6, 0.5, 0.2), (-0.5, 0.8, 0.1), (-0.5, 1, 0)])
@@ -276,8 +276,8 @@ def test_knots_that_are_not_even_are_as_good_on_either_side(knot, word):
     other = first.transformed(np.array([[-1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0]], float))
     low, high = (build.blend(first.boundary(end), other.boundary(end).reversed(), 2) for end in ("u_start", "u_end"))
     filling = build.fill([(first, "v_end", word), high, (other, "v_end", word), low])
-    angles = [sc.seam_continuity(neighbour, "v_end", filling.patches[0], end).angle
-              for neighbour, end in ((first, "v_start"), (other, "v_end"))]
+    angles = [sc.seam_continuity(neighbor, "v_end", filling.patches[0], end).angle
+              for neighbor, end in ((first, "v_start"), (other, "v_end"))]
     assert max(angles) <= 1.01e-4 and filling.angle <= 1.01e-4
 
 

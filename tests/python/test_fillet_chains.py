@@ -16,12 +16,12 @@ def straight_pair(start, end, inward):
     return build.extrude(edge, (0, 0, HEIGHT)), build.extrude(edge, np.array(inward) * WIDTH)
 
 
-def arc_pair(centre, start, end, share):
+def arc_pair(center, start, end, share):
     """Of a quarter of a circle; the floor goes to a smaller or larger one."""
-    arc = conics.arc_about(centre, start, end)
+    arc = conics.arc_about(center, start, end)
     scale = np.eye(4)
     scale[:3, :3] *= share
-    scale[:3, 3] = (1 - share) * np.array(centre)
+    scale[:3, 3] = (1 - share) * np.array(center)
     return build.extrude(arc, (0, 0, HEIGHT)), build.ruled(arc, arc.transformed(scale))
 
 
@@ -69,7 +69,7 @@ def grid(patch, count=17):
 
 
 def bend_miss(points, radius):
-    """How far points are from the ball's surface along bend(): its centre is beside the edge by the radius, and above it."""
+    """How far points are from the ball's surface along bend(): its center is beside the edge by the radius, and above it."""
     x, y, z = points.T
     beside = np.where(x < 10, -y, np.where(y > 8, x - 18, np.hypot(x - 10, y - 8) - 8))
     return np.abs(np.hypot(beside - radius, z - radius) - radius)
@@ -90,11 +90,11 @@ def test_a_bend_is_rounded_by_cylinders_and_a_torus(inputs):
 def test_a_rounded_rectangle_is_rounded_all_round():
     corners = [((8, 0), (10, 2), (8, 2)), ((10, 6), (8, 8), (8, 6)), ((2, 8), (0, 6), (2, 6)), ((0, 2), (2, 0), (2, 2))]
     pairs = []
-    for k, (start, end, centre) in enumerate(corners):
+    for k, (start, end, center) in enumerate(corners):
         following = corners[(k + 1) % 4][0]
         way = np.array(following) - end
         outward = np.array((way[1], -way[0], 0)) / np.linalg.norm(way)
-        pairs.append(arc_pair((*centre, 0), (*start, 0), (*end, 0), 1 + WIDTH / 2))
+        pairs.append(arc_pair((*center, 0), (*start, 0), (*end, 0), 1 + WIDTH / 2))
         pairs.append(straight_pair((*end, 0), (*following, 0), outward))
     made = build.fillet_chain(edges_of(pairs), 0.5, tolerance=1e-6)
     assert len(made) == 8

@@ -26,9 +26,9 @@ def test_between_planes_it_is_a_cylinder(angle):
     away = 0.2
     radius = away * np.tan(angle / 2)
     made = build.fillet_patches(ground, "v_start", wall, "v_start", radius)
-    centre = np.array([away, radius])
+    center = np.array([away, radius])
     points = grid(made.fillet)
-    assert np.abs(np.hypot(*(points[:, 1:] - centre).T) - radius).max() <= 1e-12 * max(1, radius)
+    assert np.abs(np.hypot(*(points[:, 1:] - center).T) - radius).max() <= 1e-12 * max(1, radius)
     assert made.error <= 1e-12 and made.fillet.degree == (1, 2)
     assert np.abs(grid(made.first)[:, 1].min() - away) <= 1e-13
     assert made.first.degree == ground.degree and made.second.degree == wall.degree

@@ -33,7 +33,7 @@ def of_its_own(rng, spans):
     return rng.uniform(0.01, 0.99, spans - 1)
 
 
-def neighbours(sides, word):
+def neighbors(sides, word):
     made = []
     for side in sides:
         points = np.stack([side.points, side.points * 1.4], 1)
@@ -57,8 +57,8 @@ def test_curves_of_many_spans_are_filled(count, spans, knots_of):
 
 
 @pytest.mark.parametrize("word", ["G0", "G1"])
-def test_neighbours_of_many_spans_are_followed(word):
-    filling = build.fill(neighbours(wavy_sides(5, 64, even), word))
+def test_neighbors_of_many_spans_are_followed(word):
+    filling = build.fill(neighbors(wavy_sides(5, 64, even), word))
     assert filling.gap <= 1e-13 and filling.inner_angle <= 1e-4
     assert least_upright(filling) > 0.5
 

@@ -172,8 +172,8 @@ LINE = sc.BezierCurve([(0, 0), (1, 0), (3, 0)])
 
 
 @pytest.mark.parametrize("call, error, message", [
-    (lambda: LINE.frames([0, 0.5], "frenet"), sc.InvalidShape, "the curve is straight or stands still at u[0] = 0"),
-    (lambda: LINE.frames(0, "frenets"), sc.InvalidShape, "kind = 'frenets' is none of 'frenet', 'rotation_minimising'"),
+    (lambda: LINE.frames([0, 0.5], "frenet"), sc.InvalidShape, "the curve is straight or has a zero derivative at u[0] = 0"),
+    (lambda: LINE.frames(0, "frenets"), sc.InvalidShape, "kind = 'frenets' is none of 'frenet', 'rotation_minimizing'"),
     (lambda: LINE.frames(0, 3), TypeError, "kind must be a str"),
     (lambda: LINE.frames([[0, 2]]), sc.InvalidShape, "u[0, 1] = 2 is outside the domain"),
     (lambda: LINE.frames(math.nan), sc.InvalidShape, "u = nan"),

@@ -12,7 +12,7 @@ KINDS = [(smoothness, moves) for smoothness in joints.SMOOTHNESS for moves in jo
 
 
 def patches(count, seed, rational):
-    """Neighbours along u, bumpy."""
+    """Neighbors along u, bumpy."""
     rng = np.random.default_rng(seed)
     u, v = np.meshgrid(np.arange(6.0), np.arange(5.0), indexing='ij')
     knots = [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [0, 0, 0, 0, 1, 2, 2, 2, 2]

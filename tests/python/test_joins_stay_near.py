@@ -16,7 +16,7 @@ def wild_hill(rng):
     return patch.with_points(points)
 
 
-def neighbours(rng):
+def neighbors(rng):
     a, b = wild_hill(rng), wild_hill(rng)
     far = np.array(a.points)[..., 0].max() + 10**rng.uniform(-0.5, 1)
     return a, b.transformed(np.array([[1, 0, 0, far], [0, 1, 0, 0], [0, 0, 1, rng.uniform(-1, 1)]]))
@@ -34,7 +34,7 @@ def test_matched_and_blended_patches_stay_near(inputs):
     made_count = 0
     for seed in range(inputs(1000)):
         rng = np.random.default_rng([5, seed])
-        a, b = neighbours(rng)
+        a, b = neighbors(rng)
         continuity = str(rng.choice(["G1", "G2", "G3"]))
         scale = 10**rng.uniform(-12, 9)
         matched = build.match_patch(b, 'u_start', a, 'u_end', continuity)

@@ -234,7 +234,7 @@ def allowed(what, size, numbers):
 
 
 def test_every_set_of_instructions_gives_nearly_the_same(tmp_path):
-    """Points within 4 ulp of the largest coordinate, which single precision rounds to neighbours at most; derivatives by
+    """Points within 4 ulp of the largest coordinate, which single precision rounds to neighbors at most; derivatives by
     as much of theirs, normals by what they are worth."""
     found = {}
     for name in SETS:

@@ -115,7 +115,7 @@ def test_the_nearest_mark_within_reach_is_meant():
 
 
 @pytest.mark.parametrize('scale', SCALES)
-def test_the_mouse_moves_a_knot_between_its_neighbours_and_not_onto_them(scale):
+def test_the_mouse_moves_a_knot_between_its_neighbors_and_not_onto_them(scale):
     found = bar(clamped(3, (1, 1, 2), scale))
     low, high = strip.reach(found, 1)
     assert 0 < low < 0.01 * scale and 1.99 * scale < high < 2 * scale
@@ -150,7 +150,7 @@ def test_rounded_parameters_are_the_shortest_decimals(value, step, wanted):
     assert strip.rounded(value, Decimal(step)) == wanted
 
 
-def test_what_would_be_rounded_onto_a_neighbour_is_not():
+def test_what_would_be_rounded_onto_a_neighbor_is_not():
     assert strip.within(0.98, Decimal("0.5"), 0.2, 0.99) == 0.98 and strip.within(0.7, Decimal("0.5"), 0.2, 0.99) == 0.5
     assert strip.within(7.0, Decimal("0.5"), 0.2, 0.99) == 0.99 and strip.within(-7.0, Decimal("0.5"), 0.2, 0.99) == 0.2
 

@@ -21,9 +21,9 @@ def arms(t):
     return 8 / 27 * math.expm1(1.5 * math.log1p(9 / 4 * t * t))
 
 
-def turns(count, radius=1.0, centre=(0.0, 0.0)):
+def turns(count, radius=1.0, center=(0.0, 0.0)):
     """A circle that goes round so often: four spans a turn."""
-    points = np.vstack([np.tile(CIRCLE, (count, 1)), CIRCLE[:1]]) * radius + centre
+    points = np.vstack([np.tile(CIRCLE, (count, 1)), CIRCLE[:1]]) * radius + center
     weights = np.append(np.tile([1, math.sqrt(0.5)], 4 * count), 1)
     knots = np.repeat(np.arange(4 * count + 1), 2)
     return sc.NurbsCurve(2, [0, *knots, 4 * count], points, weights)
@@ -159,7 +159,7 @@ def test_a_hundred_thousand_spans_are_ordinary():
 
 
 def test_a_length_of_many_spans_is_the_sum_of_those_of_its_parts():
-    curve = turns(500, radius=3.0, centre=(1e6, -1e6))
+    curve = turns(500, radius=3.0, center=(1e6, -1e6))
     cuts = np.linspace(*curve.domain, 8)
     parts = [curve.length(a, b) for a, b in zip(cuts[:-1], cuts[1:])]
     assert near(sum(parts), 500 * 2 * math.pi * 3.0, 1e-9)  # as the points are rounded there

@@ -253,11 +253,11 @@ def test_the_third_order_of_a_blend_agrees():
     assert np.linalg.norm(middle.nearest(points).points - points, axis=1).max() < 5e-3
 
 
-def test_a_loft_between_neighbours_goes_on_from_them():
+def test_a_loft_between_neighbors_goes_on_from_them():
     low = build.cylinder((0, 0, -2), (0, 0, 1), 1.0, 1.0)
     high = build.cylinder((0, 0, 3), (0, 0, 1), 2.0, 1.0)
-    made = build.loft([moved(circle(), 1.0, 2.5)], start_neighbour=(low, "v_end", "G2"),
-                      end_neighbour=(high, "v_start", "G1", 1.5)).value
+    made = build.loft([moved(circle(), 1.0, 2.5)], start_neighbor=(low, "v_end", "G2"),
+                      end_neighbor=(high, "v_start", "G1", 1.5)).value
     assert made.periodic == (True, False)
     assert sc.seam_continuity(low, "v_end", made, "v_start").g == 2
     assert sc.seam_continuity(made, "v_end", high, "v_start").g >= 1
@@ -295,7 +295,7 @@ def test_what_is_no_section_is_refused():
     with pytest.raises(sc.InvalidShape, match="a curve is expected"):
         build.loft([circle(), "circle"])
     with pytest.raises(TypeError, match="tuple"):
-        build.loft([circle()], start_neighbour="left")
+        build.loft([circle()], start_neighbor="left")
     with pytest.raises(sc.InvalidShape, match="seam"):
         build.blend_patches(build.torus((0, 0, 0), (0, 0, 1), 3, 1), "u_end", build.plane((0, 0, 5), (1, 0, 0), (0, 1, 0)), "u_start")
 

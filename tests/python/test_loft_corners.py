@@ -147,10 +147,10 @@ def test_scaling_moving_and_reversing_all_gives_the_same():
     assert np.abs(moved.points - wanted.points).max() <= 1e-9 * 1e3 and np.allclose(moved.knots[0], wanted.knots[0], rtol=1e-12)
 
 
-def test_a_neighbour_has_its_corners_matched_too():
+def test_a_neighbor_has_its_corners_matched_too():
     wall = build.extrude(hull(0), (-1, 0, 0))
     sections = [hull(1, 0.2), hull(2, 0.3)]
-    made = build.loft(sections, corners="matched", start_neighbour=(wall, "v_start", "G1")).value
+    made = build.loft(sections, corners="matched", start_neighbor=(wall, "v_start", "G1")).value
     assert list(inner(made.knots[0], made.degree[0]).values()) == [made.degree[0]]
     points, normals = made.evaluate_grid_with_normals(np.linspace(*made.domain[0], 41), [made.domain[1][0]])
     assert wall.boundary("v_start").nearest(points.reshape(-1, 3)).distances.max() <= 1e-12

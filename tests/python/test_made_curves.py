@@ -127,8 +127,8 @@ def test_circles_that_touch_three_lines():
     sides = [line((0, 0), (4, 0)), line((0, 0), (0, 3)), line((4, 0), (0, 3))]
     for scale in SCALES:
         scaled = [side.with_points(scale * side.points) for side in sides]
-        arc, centre, radius, parameters = build.touching_circle(*scaled, (0.3, 0.3, 0.5))
-        assert radius == pytest.approx(scale) and centre == pytest.approx((scale, scale, 0))
+        arc, center, radius, parameters = build.touching_circle(*scaled, (0.3, 0.3, 0.5))
+        assert radius == pytest.approx(scale) and center == pytest.approx((scale, scale, 0))
         assert parameters == pytest.approx((0.25, 1 / 3, 0.6))
         assert arc.evaluate(np.array(arc.domain)) == pytest.approx(scale * np.array([(1, 0, 0), (1.6, 1.8, 0)]))
 
@@ -137,18 +137,18 @@ def test_circles_that_touch_three_curves():
     rng = np.random.default_rng(2)
     found = 0
     for _ in range(100):
-        centres = rng.uniform(-5, 5, (3, 2))
+        centers = rng.uniform(-5, 5, (3, 2))
         radii = rng.uniform(0.2, 1, 3)
-        circles = [conics.circle((*centre, 0), radius) for centre, radius in zip(centres, radii)]
-        middle = centres.mean(0)
+        circles = [conics.circle((*center, 0), radius) for center, radius in zip(centers, radii)]
+        middle = centers.mean(0)
         # Where each looks at the middle of all.
         near = [circle.nearest((*middle, 0)).parameters for circle in circles]
         try:
-            arc, centre, radius, parameters = build.touching_circle(*circles, near)
+            arc, center, radius, parameters = build.touching_circle(*circles, near)
         except sc.InvalidShape:
             continue
         found += 1
-        away = np.linalg.norm(centres - centre[:2], axis=1)
+        away = np.linalg.norm(centers - center[:2], axis=1)
         assert np.minimum(abs(away - radius - radii), abs(abs(away - radius) - radii)) == pytest.approx(0, abs=1e-9)
         for circle, u in zip(circles, parameters):
             assert arc.nearest(circle.evaluate(u)).distances < 1e-9

@@ -188,9 +188,9 @@ def test_rounded_edges_touch_both(made_of):
         floor = build.plane((0, 0, 0), (length, 0, 0), (0, 3, 0))
         wall = build.plane((0, 0, 0), (length, 0, 0), (0, 3 * np.cos(opening), 3 * np.sin(opening)))
         made = build.fillet_patches(floor, 'v_start', wall, 'v_start', radius)
-        centre = np.array([radius / np.tan(opening / 2), radius])
+        center = np.array([radius / np.tan(opening / 2), radius])
         points = grid(made.fillet)[:, 1:]
-        return np.abs(np.linalg.norm(points - centre, axis=1) - radius).max() <= 1e-5
+        return np.abs(np.linalg.norm(points - center, axis=1) - radius).max() <= 1e-5
 
     made_of(11, lambda rng, index: (float(rng.uniform(1, 9)), float(rng.uniform(0.6, 2.6)), float(rng.uniform(0.05, 0.5))),
             check, 0.95)

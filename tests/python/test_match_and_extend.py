@@ -220,5 +220,5 @@ def test_what_lies_at_infinity_at_its_side_is_not_made_longer(how):
         weights = 10 ** rng.uniform(-1.5, 1.5, count)
         weights[-1, slice(None) if kind % 3 == 0 else int(rng.integers(count[1]))] = 0
         patch = sc.NurbsPatch(degree, knots, rng.uniform(-1, 1, (*count, 3)), weights)
-        with pytest.raises(sc.InvalidShape, match="runs to infinity at its side: nothing goes on from there"):
+        with pytest.raises(sc.InvalidShape, match="runs to infinity at its side: it cannot be continued there"):
             build.extend_patch(patch, "u_end", 10 ** rng.uniform(-2, 1), how)

@@ -174,7 +174,7 @@ def test_lengths_with_weights_near_the_largest_numbers_are_found(weights):
 
 def test_domains_far_from_zero_lose_no_digit():
     rng = np.random.default_rng(10)
-    step = 2.0**-13  # between neighbours at 1e12
+    step = 2.0**-13  # between neighbors at 1e12
     for start, size in ((1e7, 1.0), (-1e7, 1.0), (1e12, 80 * step)):
         inner = np.sort(rng.choice(np.arange(1, 80), 5, replace=False)) / 80.0
         knots = np.concatenate([[0] * 4, inner, [1] * 4])

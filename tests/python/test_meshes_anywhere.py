@@ -237,7 +237,7 @@ def test_work_grows_with_patches_and_knots_and_not_with_their_square(make, shape
     assert seconds(lambda: make(large)) < 8 * (many / few) * max(once, 1e-3)
 
 
-def test_a_large_patch_among_many_small_ones_does_not_make_them_all_neighbours():
+def test_a_large_patch_among_many_small_ones_does_not_make_them_all_neighbors():
     small = quilt(2500)
     patches = [small[i] for i in range(len(small))]
     large = sc.BezierPatch([[(-1e12, 0, -1e12), (-1e12, 0, 1e12)], [(1e12, 0, -1e12), (1e12, 0, 1e12)]])

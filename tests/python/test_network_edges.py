@@ -117,7 +117,7 @@ def distances_of(border, curve, count=2001):
     return np.linalg.norm(at_shares(border, t) - at_shares(curve, t), axis=1).max()
 
 
-def test_paces_beside_neighbours_are_said(inputs):
+def test_paces_beside_neighbors_are_said(inputs):
     """There the surface is polynomial: how far its sides are from rational edges at equal parameters is said as it is."""
     made_count = off_count = 0
     for seed in range(inputs(60)):
@@ -130,9 +130,9 @@ def test_paces_beside_neighbours_are_said(inputs):
         ends = [np.array(rib.points)[[0, -1]] for rib in ribs]
         ribs = [sc.BezierCurve([a, a + (0, 1, 0), 0.5 * (a + b) + 0.3 * rng.normal(size=3), b]) for a, b in ends]
         try:
-            made = build.network(along_u, ribs, neighbours=[(patch, 'v_start', 'G1')], tolerance=1e-3 * size)
+            made = build.network(along_u, ribs, neighbors=[(patch, 'v_start', 'G1')], tolerance=1e-3 * size)
         except (sc.ToleranceNotReached, sc.InvalidShape) as refused:
-            assert "neighbour" in str(refused) or "spans" in str(refused), seed
+            assert "neighbor" in str(refused) or "spans" in str(refused), seed
             continue
         made_count += 1
         assert made.error <= 1e-3 * size and not made.value.is_rational, seed
@@ -155,8 +155,8 @@ def test_the_curve_given_first_keeps_its_pace():
     for pair in ([flat, far], [far, flat]):
         made = build.network(pair, ribs)
         assert min(made.paces[2:]) <= 1e-14 and max(made.paces[2:]) > 0.05
-        neighbour = build.ruled(pair[0], pair[0].with_points(pair[0].points + (0, 0, 5)))
-        assert len(sc.PatchSet.from_patches([neighbour, made.value]).seams()) == 1
+        neighbor = build.ruled(pair[0], pair[0].with_points(pair[0].points + (0, 0, 5)))
+        assert len(sc.PatchSet.from_patches([neighbor, made.value]).seams()) == 1
 
 
 def test_a_part_of_an_edge_runs_as_it_does():

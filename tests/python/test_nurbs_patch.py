@@ -17,8 +17,8 @@ def test_torus_satisfies_its_equation_and_normals_leave_the_tube():
     points, normals = patch.evaluate_grid_with_normals(u, v)
     ring = np.hypot(points[..., 0], points[..., 1])
     assert np.abs((ring - 3) ** 2 + points[..., 2] ** 2 - 1).max() <= 1e-14
-    centre = points * np.stack([3 / ring, 3 / ring, 0 * ring], axis=-1)
-    assert np.abs(normals - (points - centre)).max() <= 2e-14
+    center = points * np.stack([3 / ring, 3 / ring, 0 * ring], axis=-1)
+    assert np.abs(normals - (points - center)).max() <= 2e-14
 
 
 def test_cylinder_is_round_and_its_normals_are_horizontal():

@@ -31,25 +31,25 @@ def shoelace(points):
     return 0.5 * (x * np.roll(y, -1) - np.roll(x, -1) * y).sum()
 
 
-def turns(points, centre):
+def turns(points, center):
     """The sum of the angles of a polygon's sides."""
-    angles = np.arctan2(*(points - centre).T[::-1])
+    angles = np.arctan2(*(points - center).T[::-1])
     steps = np.diff(np.r_[angles, angles[:1]])
     return round(((steps + math.pi) % (2 * math.pi) - math.pi).sum() / (2 * math.pi))
 
 
 @pytest.mark.parametrize("size", [1e-120, 1.0, 1e120])
-@pytest.mark.parametrize("centre", [0.0, 1e4])
-def test_an_ellipse_in_any_plane(size, centre):
+@pytest.mark.parametrize("center", [0.0, 1e4])
+def test_an_ellipse_in_any_plane(size, center):
     turn = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
     turn *= np.linalg.det(turn)
     flat = np.c_[np.array(shapes.SQUARE) * (3, 2), np.zeros(9)]
-    curve = sc.NurbsCurve(2, shapes.CIRCLE_KNOTS, (flat @ turn.T + centre) * size, shapes.SQUARE_WEIGHTS)
-    near = 1e-13 * max(1, centre)
+    curve = sc.NurbsCurve(2, shapes.CIRCLE_KNOTS, (flat @ turn.T + center) * size, shapes.SQUARE_WEIGHTS)
+    near = 1e-13 * max(1, center)
     assert curve.signed_area(turn[:, 2]) / size**2 == pytest.approx(6 * math.pi, rel=near)
     assert curve.reversed().signed_area(1e-9 * turn[:, 2]) / size**2 == pytest.approx(-6 * math.pi, rel=near)
-    assert abs(curve.signed_area(turn[:, 0])) <= 1e-11 * max(1, centre) * size**2
-    inside, outside = (size * (turn @ np.array(at) + centre) for at in ((2.9, 0.1, 5), (2.9, 1, 0)))
+    assert abs(curve.signed_area(turn[:, 0])) <= 1e-11 * max(1, center) * size**2
+    inside, outside = (size * (turn @ np.array(at) + center) for at in ((2.9, 0.1, 5), (2.9, 1, 0)))
     assert curve.winding_number(inside, turn[:, 2]) == 1
     assert curve.winding_number(inside, -turn[:, 2]) == curve.reversed().winding_number(inside, turn[:, 2]) == -1
     assert curve.winding_number(outside, turn[:, 2]) == 0
@@ -73,11 +73,11 @@ def test_areas_and_turns_are_those_of_dense_polygons():
         assert abs(area - shoelace(points)) < 1e-3 * size**2, curve
         assert curve.clamped().signed_area() == pytest.approx(area, rel=1e-9, abs=1e-10 * size**2)
         for _ in range(20):
-            centre = rng.uniform(points.min(0), points.max(0))
-            if np.linalg.norm(points - centre, axis=1).min() < 0.02 * size:
+            center = rng.uniform(points.min(0), points.max(0))
+            if np.linalg.norm(points - center, axis=1).min() < 0.02 * size:
                 continue
-            expected = turns(points, centre)
-            assert curve.winding_number(centre) == expected, (curve, centre)
+            expected = turns(points, center)
+            assert curve.winding_number(center) == expected, (curve, center)
             compared[min(abs(expected), 1)] += 1
     assert min(compared.values()) > 50
 
@@ -115,7 +115,7 @@ def test_weights_of_any_sign():
     (lambda: shapes.semicircle().winding_number((0, 0)), sc.InvalidShape, "the curve is not closed"),
     (lambda: sc.NurbsCurve(1, [0, 0, 1, 1, 2, 2], [(0, 0), (1, 0), (1, 1), (0, 0)]).signed_area(), sc.InvalidShape,
      "the curve is not closed: it is in 2 pieces"),
-    (lambda: RING.signed_area((0, 0, 0)), sc.InvalidShape, "normal is no direction"),
+    (lambda: RING.signed_area((0, 0, 0)), sc.InvalidShape, "normal is not a direction"),
     (lambda: RING.signed_area(tolerance=0), sc.InvalidShape, "tolerance = 0 is not a positive number"),
     (lambda: RING.signed_area(tolerance=math.nan), sc.InvalidShape, "tolerance"),
     (lambda: RING.winding_number((1, 0)), sc.InvalidShape, "point lies on the curve"),

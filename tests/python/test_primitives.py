@@ -11,7 +11,7 @@ import splinecore as sc
 from shapes import circle, closed_cubic, cubic, curves, hermite_chain, inside, nurbs_curves, parabola, size_of
 from splinecore import build
 
-CENTRE = np.array([0.5, -0.25, 1.0])
+CENTER = np.array([0.5, -0.25, 1.0])
 AXIS = np.array([2.0, -1.0, 2.0])
 UNIT = AXIS / 3
 
@@ -23,9 +23,9 @@ def places(patch, count=25):
 
 
 def across(points):
-    """(height above CENTRE, the rest of the way) along AXIS."""
-    height = (points - CENTRE) @ UNIT
-    return height, points - CENTRE - height[:, None] * UNIT
+    """(height above CENTER, the rest of the way) along AXIS."""
+    height = (points - CENTER) @ UNIT
+    return height, points - CENTER - height[:, None] * UNIT
 
 
 def rotation(axis, angle):
@@ -42,7 +42,7 @@ def test_a_sphere_has_one_radius_and_normals_along_it(radius):
 
 
 def test_a_cylinder_has_one_radius():
-    points, normals = places(build.cylinder(CENTRE, AXIS, 2.0, 3.0))
+    points, normals = places(build.cylinder(CENTER, AXIS, 2.0, 3.0))
     height, out = across(points)
     assert np.abs(np.linalg.norm(out, axis=1) / 2 - 1).max() <= 1e-14
     assert np.abs(normals - out / 2).max() <= 1e-14
@@ -51,26 +51,26 @@ def test_a_cylinder_has_one_radius():
 
 @pytest.mark.parametrize("top", [0.0, 0.5, 3.0])
 def test_a_cone_narrows_evenly(top):
-    points, _ = places(build.cone(CENTRE, AXIS, 2.0, 3.0, top_radius=top))
+    points, _ = places(build.cone(CENTER, AXIS, 2.0, 3.0, top_radius=top))
     height, out = across(points)
     assert np.abs(np.linalg.norm(out, axis=1) - (2 + (top - 2) * height / 3)).max() <= 1e-14
 
 
 def test_a_torus_keeps_its_distance_from_its_ring():
-    points, normals = places(build.torus(CENTRE, AXIS, 3.0, 1.25))
+    points, normals = places(build.torus(CENTER, AXIS, 3.0, 1.25))
     _, out = across(points)
-    offset = points - CENTRE - 3 * out / np.linalg.norm(out, axis=1, keepdims=True)
+    offset = points - CENTER - 3 * out / np.linalg.norm(out, axis=1, keepdims=True)
     assert np.abs(np.linalg.norm(offset, axis=1) / 1.25 - 1).max() <= 1e-14
     assert np.abs(normals - offset / 1.25).max() <= 2e-14
 
 
 def test_a_disc_is_flat_and_fills_the_rim_of_a_cylinder():
-    disc = build.disc(CENTRE, AXIS, 2.0)
+    disc = build.disc(CENTER, AXIS, 2.0)
     points, normals = places(disc)
     height, out = across(points)
     assert np.abs(height).max() <= 1e-15 and np.linalg.norm(out, axis=1).max() <= 2 + 1e-14
     assert np.abs(normals - UNIT).max() <= 1e-14
-    mantle = build.cylinder(CENTRE, AXIS, 2.0, 3.0)
+    mantle = build.cylinder(CENTER, AXIS, 2.0, 3.0)
     assert (mantle.points[:, 0] == disc.points[:, 0]).all()
     assert sc.PatchSet.from_patches([mantle, disc]).edge_counts()["shared"] == 3, "the rim and a seam of each"
 
@@ -112,7 +112,7 @@ def test_a_clockwise_turn_has_its_normals_on_the_other_side(make):
 
 
 def test_poles_are_equal_points():
-    sphere = build.sphere(CENTRE, 0.7, AXIS)
+    sphere = build.sphere(CENTER, 0.7, AXIS)
     assert sc.PatchSet.from_patches([sphere]).edge_counts() == {"shared": 1, "free": 0, "pole": 2}
     for j in (0, -1):
         assert (sphere.points[:, j] == sphere.points[0, j]).all()
@@ -186,9 +186,9 @@ NAN = float("nan")
 @pytest.mark.parametrize("call, message", [
     (lambda: build.sphere((0, 0, 0), -1), "radius = -1 is not a positive length"),
     (lambda: build.sphere((0, 0, 0), NAN), "radius"),
-    (lambda: build.sphere((0, NAN, 0), 1), "centre.y = nan is not finite"),
+    (lambda: build.sphere((0, NAN, 0), 1), "center.y = nan is not finite"),
     (lambda: build.sphere((0, 0), 1, axis=(0, 0)), "axis has no direction"),
-    (lambda: build.sphere((0, 0, 0, 0), 1), "centre has shape (4,)"),
+    (lambda: build.sphere((0, 0, 0, 0), 1), "center has shape (4,)"),
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 0), "height = 0 is not a positive length"),
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 1, sweep=0), "sweep = 0 is zero or more than a whole turn"),
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 1, sweep=6.5), "sweep = 6.5 is zero or more than a whole turn"),

@@ -107,8 +107,8 @@ def test_the_frame_at_the_end_of_a_periodic_curve_is_that_carried_there(inputs):
 @pytest.mark.parametrize("scale", [1e-12, 1e-6, 1.0, 1e9])
 def test_a_touching_circle_is_as_right_at_any_scale(scale):
     sides = [sc.BezierCurve(scale * np.array(ends, float)) for ends in (((0, 0, 0), (4, 0, 0)), ((0, 0, 0), (0, 3, 0)), ((4, 0, 0), (0, 3, 0)))]
-    _, centre, radius, _ = build.touching_circle(*sides, (0.3, 0.3, 0.5))
-    assert radius == pytest.approx(scale, rel=1e-12) and centre == pytest.approx((scale, scale, 0), rel=1e-12)
+    _, center, radius, _ = build.touching_circle(*sides, (0.3, 0.3, 0.5))
+    assert radius == pytest.approx(scale, rel=1e-12) and center == pytest.approx((scale, scale, 0), rel=1e-12)
     with pytest.raises(TypeError):
         build.touching_circle(*sides, near=(0.3, 0.3, 0.5))
 

@@ -75,7 +75,7 @@ def radius_at(radii, u):
 
 
 def wall_and_floor(rng):
-    """Two planes on the x axis; the ball's centre is at a closed form."""
+    """Two planes on the x axis; the ball's center is at a closed form."""
     angle = rng.uniform(0.9, 2.2)
     slants = rng.uniform(-0.6, 0.6, 2) if rng.random() < 0.5 else (0, 0)
     floor = build.plane((0, 0, 0), (3, 0, 0), (slants[0], 3, 0))
@@ -93,15 +93,15 @@ def test_fillets_are_hulls_of_balls(inputs):
         require_closed_up(made)
         points = made.fillet.evaluate_grid(*(np.linspace(*domain, 21) for domain in made.fillet.domain)).reshape(-1, 3)
         x = np.linspace(-1, 4, 6001)
-        # the floor's contact at u is x = 3 u + slant v, v = |contact - edge| / 3: centres by x, from the floor's parameter u
+        # the floor's contact at u is x = 3 u + slant v, v = |contact - edge| / 3: centers by x, from the floor's parameter u
         slant = floor.evaluate([0], [1])[0][0]
         u = np.linspace(-0.6, 1.6, 6001)
         r = radius_at(radii, u)
         away = r / np.tan(angle / 2)
         x = 3 * u + slant * away / 3
-        centres = np.c_[x, away, r]
+        centers = np.c_[x, away, r]
         for block in np.array_split(points, 21):
-            off = np.linalg.norm(block[:, None] - centres[None], axis=2) - r
+            off = np.linalg.norm(block[:, None] - centers[None], axis=2) - r
             assert np.abs(off.min(axis=1)).max() <= 1e-5, seed
 
 

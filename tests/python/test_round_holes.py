@@ -120,7 +120,7 @@ def test_continuities_beside_each_other_leave_no_crease(words):
     assert filling.angle <= 1e-10 and filling.inner_angle <= 1e-10 and filling.curvature_difference <= 1e-10
 
 
-def test_neighbours_that_agree_only_nearly_do_no_harm(inputs):
+def test_neighbors_that_agree_only_nearly_do_no_harm(inputs):
     rng = np.random.default_rng(3)
     for noise in np.geomspace(1e-8, 1e-3, inputs(60)):
         around = sphere_hole(int(rng.integers(3, 9)), str(rng.choice(["G1", "G2"])), 0.5, rng.uniform(0, 6))
@@ -242,7 +242,7 @@ def test_a_weight_below_zero_is_refused():
         build.fill([(patch.with_weights(weights), around[0][1], "G1"), *around[1:]])
 
 
-def test_neighbours_from_which_nothing_goes_on_are_as_curves():
+def test_neighbors_from_which_nothing_goes_on_are_as_curves():
     around = sphere_hole(4, "G1", 0.5)
     mixed = [around[0], *((patch, name, "G0") for patch, name, _ in around[1:])]
     curves = [around[0], *(patch.boundary(name) for patch, name, _ in around[1:])]

@@ -233,8 +233,8 @@ def test_corners_of_balls_at_random(inputs):
         rng = np.random.default_rng([seed, 413])
         ways = rng.normal(size=(3, 3))
         ways /= np.linalg.norm(ways, axis=1, keepdims=True)
-        centre, radius = rng.normal(size=3), 10**rng.uniform(-2, 2)
-        net = ball_corner.net_of(centre, radius, *(centre + radius * ways))
+        center, radius = rng.normal(size=3), 10**rng.uniform(-2, 2)
+        net = ball_corner.net_of(center, radius, *(center + radius * ways))
         degree = ball_corner.degree_for(net)
         if degree is None:
             area = 2 * math.atan2(abs(np.linalg.det(ways)), 1 + ways[0] @ ways[1] + ways[1] @ ways[2] + ways[2] @ ways[0])
@@ -244,11 +244,11 @@ def test_corners_of_balls_at_random(inputs):
         rows = ball_corner.raised(net, degree)
         rows = np.concatenate([rows[..., :3] / rows[..., 3:], rows[..., 3:]], axis=-1)
         patch = ball_corner.patch_of(ball_corner.raised(net, degree), rows[0], rows[:, -1], rows[-1])
-        points = patch.evaluate_grid(np.linspace(0, 1, 9), np.linspace(0, 1, 9)).reshape(-1, 3) - centre
-        assert np.abs(np.linalg.norm(points, axis=1) - radius).max() <= 1e-12 * (radius + np.abs(centre).max())
+        points = patch.evaluate_grid(np.linspace(0, 1, 9), np.linspace(0, 1, 9)).reshape(-1, 3) - center
+        assert np.abs(np.linalg.norm(points, axis=1) - radius).max() <= 1e-12 * (radius + np.abs(center).max())
         for u, v in ((0.0, 1.0), (1.0, 1.0)):
-            corner = (patch.evaluate(u, v) - centre) / radius
-            assert np.abs(corner - ways[1 + int(u)]).max() <= 1e-12 * (1 + np.abs(centre).max() / radius)
+            corner = (patch.evaluate(u, v) - center) / radius
+            assert np.abs(corner - ways[1 + int(u)]).max() <= 1e-12 * (1 + np.abs(center).max() / radius)
     assert made_count > 0.8 * inputs(400)
 
 
@@ -270,7 +270,7 @@ def test_an_extruded_box_is_rounded_all_over():
 
 
 @pytest.mark.parametrize("text, message", [
-    ("0", "none of number 0"), ("13", "there are 12 edges, none of number 13"), ("1; 2", "is no number of an edge"),
+    ("0", "none of number 0"), ("13", "there are 12 edges, none of number 13"), ("1; 2", "is not a number of an edge"),
     ("3-1", "none of number 3-1")])
 def test_numbers_of_edges_that_mean_nothing_are_refused(text, message):
     with pytest.raises(failures.Refusal, match=message):

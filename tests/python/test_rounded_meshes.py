@@ -1,4 +1,4 @@
-"""Edges of every kind rounded, as meshes: the fillet's outer rows are its neighbours' borders to the last bit, faces share the vertices
+"""Edges of every kind rounded, as meshes: the fillet's outer rows are its neighbors' borders to the last bit, faces share the vertices
 along both seams, and nothing but the outer sides is open."""
 
 import numpy as np

@@ -192,7 +192,7 @@ def test_the_directions_of_parameters_make_no_difference():
 
 
 def test_the_seam_is_looked_at_from_the_side_of_the_first():
-    """Colours are for its points, from its start to its end, on both sides of every knot."""
+    """Colors are for its points, from its start to its end, on both sides of every knot."""
     rim, lid = cylinder(), sc.build.disc((0, 0, 2), (0, 0, 1), 1)
     found = measure(rim, "v_end", lid, "v_start")
     assert found.parameters[0] == 0 and found.parameters[-1] == 1 and (np.diff(found.parameters) >= 0).all()

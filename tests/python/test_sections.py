@@ -108,7 +108,7 @@ def test_villarceau_circles():
     assert len(found.curves) == 4 and lengths(found).sum() == pytest.approx(2 * 2 * np.pi * 3, abs=1e-4)
     for curve in found.curves:
         points = curve.evaluate(np.linspace(*curve.domain, 500))
-        off = [np.abs(np.linalg.norm(points - centre, axis=1) - 3).max() for centre in ((0, 1, 0), (0, -1, 0))]
+        off = [np.abs(np.linalg.norm(points - center, axis=1) - 3).max() for center in ((0, 1, 0), (0, -1, 0))]
         assert min(off) < 1e-6
 
 

@@ -11,7 +11,7 @@ from test_fill import grid, off_quadric, polygon_hole, quadric_over
 
 
 def parted(side, *places):
-    """A neighbour cut there, in the order of its pieces."""
+    """A neighbor cut there, in the order of its pieces."""
     patch, border, word = side
     low, high = patch.domain[0]
     pieces = []
@@ -26,7 +26,7 @@ def fanned(corners, outer, word="G1"):
     return quadric_over([*corners, *outer]), "v_start", word
 
 
-def test_pieces_of_one_neighbour_are_as_that_neighbour():
+def test_pieces_of_one_neighbor_are_as_that_neighbor():
     for word in ("G1", "G2"):
         around = polygon_hole(4, word, 0.3, 1.2)
         for places in ([0.5], [0.3], [0.2, 0.7], [1e-3]):
@@ -54,7 +54,7 @@ def test_other_numbers_of_sides(count, word):
 
 
 @pytest.mark.parametrize("word", ["G1", "G2"])
-def test_neighbours_that_have_only_their_planes_in_common(word):
+def test_neighbors_that_have_only_their_planes_in_common(word):
     """Lines of one run away from the hole in another way than those of the other one."""
     a, b, c, d = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
     middle = np.array([0.2, -1.0])
@@ -67,7 +67,7 @@ def test_neighbours_that_have_only_their_planes_in_common(word):
 
 
 def strips_along(xs, word, make=lambda corners: quadric_over(corners)):
-    """Neighbours below y = -1 between these x, whose seams lean, and the other three sides of a square."""
+    """Neighbors below y = -1 between these x, whose seams lean, and the other three sides of a square."""
     a, b, c, d = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], float)
     words = [word] * (len(xs) - 1) if isinstance(word, str) else word
     beyond = [np.array([x + 0.2 * k * x, -2.2]) for k, x in enumerate(xs)]
@@ -106,8 +106,8 @@ def test_each_piece_goes_on_as_it_is_asked_to():
     filling = build.fill([(around[0][0].with_points(bent), "v_start", "G1"), *around[1:]])
     first, second = filling.patches[0].split("u", 0.6)
     of_second = sc.seam_continuity(second, "v_start", around[1][0], "v_start").curvature_difference
-    others = [sc.seam_continuity(filling.patches[0], name, neighbour, "v_start").curvature_difference
-              for name, (neighbour, _, _) in zip(("u_end", "v_end", "u_start"), around[2:])]
+    others = [sc.seam_continuity(filling.patches[0], name, neighbor, "v_start").curvature_difference
+              for name, (neighbor, _, _) in zip(("u_end", "v_end", "u_start"), around[2:])]
     assert filling.curvature_difference == pytest.approx(max(of_second, *others), rel=1e-6)
     assert sc.seam_continuity(first, "v_start", around[0][0].with_points(bent), "v_start").curvature_difference > 0.5
 
@@ -120,8 +120,8 @@ def test_what_it_says_is_what_is_measured():
     patch, = filling.patches
     first, second = patch.split("u", 0.4)
     angles = [sc.seam_continuity(first, "v_start", strip[0][0], "v_start").angle, sc.seam_continuity(second, "v_start", bent, "v_start").angle]
-    angles += [sc.seam_continuity(patch, name, neighbour, "v_start").angle
-               for name, (neighbour, _, _) in zip(("u_end", "v_end", "u_start"), around[1:])]
+    angles += [sc.seam_continuity(patch, name, neighbor, "v_start").angle
+               for name, (neighbor, _, _) in zip(("u_end", "v_end", "u_start"), around[1:])]
     assert filling.angle > 1e-3
     assert max(angles) == pytest.approx(filling.angle, rel=1e-9)
 
@@ -174,7 +174,7 @@ def test_random_pieces_are_followed(inputs):
 
 
 def joint_in_quadric(count, word, at, kink=0.0):
-    """A hole in the quadric with a joint on its first side, whose neighbours' seam leans, and a kink in plan there."""
+    """A hole in the quadric with a joint on its first side, whose neighbors' seam leans, and a kink in plan there."""
     angles = 2 * np.pi * np.arange(count) / count + 0.3
     inner = list(np.c_[np.cos(angles), np.sin(angles)])
     way = inner[1] - inner[0]
@@ -230,14 +230,14 @@ def test_joints_that_stand_up_a_little_are_no_corners(kink):
     assert len(filling.patches) == 1 and filling.angle <= 2 * kink
 
 
-def test_a_piece_without_a_neighbour_is_refused():
+def test_a_piece_without_a_neighbor_is_refused():
     around = polygon_hole(4, "G1")
     first, second = parted(around[0], 0.5)
     for bare in ((second[0], "v_start", "G0"), second[0].boundary("v_start")):
-        with pytest.raises(sc.InvalidShape, match=r"sides\[0\] and sides\[1\] go on into each other without a corner, one from a neighbour"):
+        with pytest.raises(sc.InvalidShape, match=r"sides\[0\] and sides\[1\] join without a corner, one from a neighbor"):
             build.fill([first, bare, *around[1:]])
     third, fourth = parted(around[2], 0.5)
-    with pytest.raises(sc.InvalidShape, match=r"sides\[3\] and sides\[4\] go on into each other without a corner, one from a neighbour"):
+    with pytest.raises(sc.InvalidShape, match=r"sides\[3\] and sides\[4\] join without a corner, one from a neighbor"):
         build.fill([around[0], *parted(around[1], 0.5), third, fourth[0].boundary("v_start"), around[3]])
 
 

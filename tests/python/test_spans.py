@@ -48,7 +48,7 @@ def polyline(knots):
 
 
 def places(knots):
-    """Knots, their neighbours, and what lies between, in no order."""
+    """Knots, their neighbors, and what lies between, in no order."""
     between = RNG.uniform(knots[0], knots[-1], 300)
     inside = knots[:-1] + RNG.uniform(size=len(knots) - 1) * np.diff(knots)
     found = np.concatenate([knots, np.nextafter(knots, np.inf), np.nextafter(knots, -np.inf), between, inside])

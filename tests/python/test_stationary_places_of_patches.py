@@ -135,15 +135,15 @@ def test_a_plane_has_one_foot_and_its_corners():
     assert repr(found) == "StationaryPoints(count=3)"
 
 
-def ellipsoid(a=1.0, b=1.0, c=1.0, centre=(0, 0, 0), scale=1.0):
+def ellipsoid(a=1.0, b=1.0, c=1.0, center=(0, 0, 0), scale=1.0):
     """With its poles on z; not periodic, but closed."""
     profile = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1)]
     ball = shapes.revolved(profile, [1, shapes.HALF, 1, shapes.HALF, 1], [0, 0, 0, 1, 1, 2, 2, 2], 2)
-    points = ball.points * np.array([a, b, c]) * scale + centre
+    points = ball.points * np.array([a, b, c]) * scale + center
     return sc.NurbsPatch(ball.degree, ball.knots, points, ball.weights)
 
 
-def test_from_near_the_centre_an_ellipsoid_has_six_normals():
+def test_from_near_the_center_an_ellipsoid_has_six_normals():
     found = check(ellipsoid(3, 2, 1), (-0.01, 0.02, -0.013))
     assert sorted(found.kinds) == ["maximum", "maximum", "minimum", "minimum", "saddle", "saddle"]
     normal = found.points / np.square([3, 2, 1])
@@ -193,7 +193,7 @@ def test_size_does_not_matter(scale):
 
 def test_far_from_the_origin_and_from_far_away():
     plain = ellipsoid(3, 2, 1).stationary_points((0.25, 0.5, 0.125))
-    found = ellipsoid(3, 2, 1, centre=(1e8, -1e8, 1e7)).stationary_points((1e8 + 0.25, -1e8 + 0.5, 1e7 + 0.125))
+    found = ellipsoid(3, 2, 1, center=(1e8, -1e8, 1e7)).stationary_points((1e8 + 0.25, -1e8 + 0.5, 1e7 + 0.125))
     assert found.parameters == pytest.approx(plain.parameters, abs=1e-6)
     way = np.array([-0.48, 0.6, 0.64])
     for far in (1e12, 1e60, 1e200):
@@ -276,7 +276,7 @@ def test_all_nearest_of_many_are_as_near_as_the_nearest():
 
 
 @pytest.mark.parametrize("shape, point", [
-    (ellipsoid(), (0, 0, 0)), (ellipsoid(centre=(1e6, 2, 3)), (1e6, 2, 3)), (shapes.torus(), (0, 0, 0)),
+    (ellipsoid(), (0, 0, 0)), (ellipsoid(center=(1e6, 2, 3)), (1e6, 2, 3)), (shapes.torus(), (0, 0, 0)),
     (shapes.torus(), (0, 0, 1)), (shapes.torus(), (3, 0, 0)), (shapes.cylinder(), (0, 0, 1)),
     (shapes.cylinder(), (0, 0, -1)), (shapes.sphere_octant(), (0, 0, 0.3)),
 ])

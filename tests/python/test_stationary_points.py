@@ -86,9 +86,9 @@ def test_of_curves_through_infinity_the_finite_places_count(degree):
         assert np.isfinite(found.points).all()
 
 
-def rational_ellipse(a, b, centre=(0, 0, 0), scale=1.0):
+def rational_ellipse(a, b, center=(0, 0, 0), scale=1.0):
     circle = shapes.circle()
-    return sc.NurbsCurve(2, circle.knots, circle.points * (a * scale, b * scale, 1) + centre, circle.weights)
+    return sc.NurbsCurve(2, circle.knots, circle.points * (a * scale, b * scale, 1) + center, circle.weights)
 
 
 def test_an_ellipse_has_four_normals_through_a_point_inside_its_evolute_and_two_outside():
@@ -100,7 +100,7 @@ def test_an_ellipse_has_four_normals_through_a_point_inside_its_evolute_and_two_
             assert len(curve.stationary_points((x, y)).kinds) == (4 if evolute < 0 else 2)
 
 
-def test_the_axes_of_an_ellipse_are_its_normals_through_the_centre():
+def test_the_axes_of_an_ellipse_are_its_normals_through_the_center():
     found = rational_ellipse(3, 1).stationary_points((0, 0))
     assert found.parameters == pytest.approx([0, 1, 2, 3], abs=1e-15)
     assert found.kinds == ("maximum", "minimum", "maximum", "minimum")
@@ -119,7 +119,7 @@ def test_size_does_not_matter(scale):
 
 
 def test_far_from_the_origin_and_from_far_away():
-    there = rational_ellipse(3, 1, centre=(1e8, -1e8, 1e7))
+    there = rational_ellipse(3, 1, center=(1e8, -1e8, 1e7))
     found = there.stationary_points((1e8 + 0.5, -1e8 + 0.25, 1e7))
     assert found.parameters == pytest.approx(rational_ellipse(3, 1).stationary_points((0.5, 0.25)).parameters, abs=1e-6)
     # Then they are those where the tangent is at right angles to the direction.
@@ -182,7 +182,7 @@ def test_on_the_evolute_two_places_become_one():
     found = parabola.stationary_points((0, 0.5))
     assert found.parameters == pytest.approx([0, 0.5, 1], abs=1e-4)
     assert found.kinds == ("maximum", "minimum", "maximum")
-    # Where the centre of curvature is that of x = 1/2.
+    # Where the center of curvature is that of x = 1/2.
     found = parabola.stationary_points((-0.5, 1.25))
     assert found.kinds == ("maximum", "minimum", "saddle", "maximum") or len(found.kinds) == 5
     assert np.abs(found.parameters - 0.625).min() < 1e-6
@@ -231,10 +231,10 @@ def test_bad_input(call, error, text):
             call(one)
 
 
-def test_from_the_centre_of_a_circle_everything_is_stationary():
+def test_from_the_center_of_a_circle_everything_is_stationary():
     with pytest.raises(sc.InvalidShape, match="constant from u = 0.0 to 1.0|constant from u = 0 to 1"):
         shapes.circle().stationary_points((0, 0, 3))
-    moved = rational_ellipse(2, 2, centre=(1e6, 3, 7))
+    moved = rational_ellipse(2, 2, center=(1e6, 3, 7))
     with pytest.raises(sc.InvalidShape, match="constant"):
         moved.stationary_points((1e6, 3, 9))
     with pytest.raises(sc.InvalidShape, match="constant"):

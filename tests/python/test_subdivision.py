@@ -45,10 +45,10 @@ def subdivide(points, faces):
         for k, v in enumerate(face):
             edges.setdefault(frozenset((v, face[(k + 1) % len(face)])), []).append(f)
             around[v].append(f)
-    neighbours = {i: [e for e in edges if i in e] for i in range(len(points))}
+    neighbors = {i: [e for e in edges if i in e] for i in range(len(points))}
     moved = []
     for i, p in enumerate(points):
-        border = [e for e in neighbours[i] if len(edges[e]) == 1]
+        border = [e for e in neighbors[i] if len(edges[e]) == 1]
         if len(around[i]) == 1 and border:
             moved.append(p)
         elif border:
@@ -56,7 +56,7 @@ def subdivide(points, faces):
         else:
             n = len(around[i])
             f = np.mean([middle[k] for k in around[i]], axis=0)
-            r = np.mean([np.mean([points[v] for v in e], axis=0) for e in neighbours[i]], axis=0)
+            r = np.mean([np.mean([points[v] for v in e], axis=0) for e in neighbors[i]], axis=0)
             moved.append((f + 2 * r + (n - 3) * p) / n)
     numbers = {}
     for e, of in edges.items():
@@ -230,7 +230,7 @@ def test_faces_are_lists_of_numbers(faces):
 
 
 def limit_normal(points, faces, vertex):
-    """Of the scheme: the plane through where neighbours lie after many rounds, from the left eigenvectors of one round."""
+    """Of the scheme: the plane through where neighbors lie after many rounds, from the left eigenvectors of one round."""
     for _ in range(2):
         points, faces = subdivide(points, faces)
     beside = {face[face.index(vertex) + 1 - 4]: (face[(face.index(vertex) + 2) % 4], face[face.index(vertex) - 1])

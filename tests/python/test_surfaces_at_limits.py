@@ -69,7 +69,7 @@ def test_a_closed_rail_that_begins_beside_its_corners_takes_numbers_for_both_its
     made, _ = build.pipe(rail, [(0, 0.1), (2, 0.2), (4, 0.1)])
     assert np.isfinite(made[0].points).all()
     build.sweep(rail, [RING] * 2, at=[0, 4])
-    with pytest.raises(sc.InvalidShape, match="what is given for its end"):
+    with pytest.raises(sc.InvalidShape, match="the same values as its start"):
         build.sweep(rail, RING, scales=[(0, 1), (4, 2)])
 
 

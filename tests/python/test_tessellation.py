@@ -27,7 +27,7 @@ def cube():
                                  [[0, 2], [4, 6]], [[1, 5], [3, 7]]])
 
 
-def test_neighbours_share_the_vertices_of_their_edge():
+def test_neighbors_share_the_vertices_of_their_edge():
     mesh = sc.Tessellation(sc.PatchSet(POOL, SQUARES), 4)
     assert mesh.vertex_count == 9 * 5 and len(mesh.face_starts) == 32
     assert mesh.face_patches.tolist() == [0] * 16 + [1] * 16

@@ -26,10 +26,10 @@ def every_case(test):
 
 
 def settings_of(size, turn, place):
-    """Centre and unit axis, and start and sweep as arguments; the centre as far away as the size says."""
-    centre, axis = (np.array(numbers, float) for numbers in PLACES[place])
+    """Center and unit axis, and start and sweep as arguments; the center as far away as the size says."""
+    center, axis = (np.array(numbers, float) for numbers in PLACES[place])
     start, sweep = TURNS[turn]
-    return size * centre, axis / np.linalg.norm(axis), (start, None if turn == 'whole' else sweep)
+    return size * center, axis / np.linalg.norm(axis), (start, None if turn == 'whole' else sweep)
 
 
 def places(patch, skip=0):
@@ -38,10 +38,10 @@ def places(patch, skip=0):
     return u[:, None], v[:len(v) - skip]
 
 
-def split(points, centre, axis):
+def split(points, center, axis):
     """(height along the axis, distance from it)."""
-    height = (points - centre) @ axis
-    return height, np.linalg.norm(points - centre - height[..., None] * axis, axis=-1)
+    height = (points - center) @ axis
+    return height, np.linalg.norm(points - center - height[..., None] * axis, axis=-1)
 
 
 def rounding(size, place):
@@ -62,10 +62,10 @@ def check_curvatures(patch, at, around, along, sweep):
 
 @every_case
 def test_a_cylinder_has_its_radius_curvature_and_area(size, turn, place):
-    centre, axis, around = settings_of(size, turn, place)
-    patch = build.cylinder(centre, axis, size, 3 * size, *around)
+    center, axis, around = settings_of(size, turn, place)
+    patch = build.cylinder(center, axis, size, 3 * size, *around)
     at, sweep = places(patch), TURNS[turn][1]
-    _, radius = split(patch.evaluate(*at), centre, axis)
+    _, radius = split(patch.evaluate(*at), center, axis)
     assert np.abs(radius - size).max() <= rounding(size, place)
     check_curvatures(patch, at, 1 / size, 0.0, sweep)
     assert patch.area() == pytest.approx(3 * size**2 * abs(sweep), rel=1e-12)
@@ -74,10 +74,10 @@ def test_a_cylinder_has_its_radius_curvature_and_area(size, turn, place):
 @every_case
 @pytest.mark.parametrize('top', (0.0, 0.25, 2.0))
 def test_a_cone_has_its_radius_curvature_and_area(size, turn, place, top):
-    centre, axis, around = settings_of(size, turn, place)
-    patch = build.cone(centre, axis, size, 3 * size, top * size, *around)
+    center, axis, around = settings_of(size, turn, place)
+    patch = build.cone(center, axis, size, 3 * size, top * size, *around)
     at, sweep, slant = places(patch, skip=top == 0), TURNS[turn][1], math.hypot(3, 1 - top)
-    height, radius = split(patch.evaluate(*at), centre, axis)
+    height, radius = split(patch.evaluate(*at), center, axis)
     expected = size + (top - 1) * height / 3
     assert np.abs(radius - expected).max() <= rounding(size, place)
     check_curvatures(patch, at, 3 / slant / expected, 0.0, sweep)
@@ -86,10 +86,10 @@ def test_a_cone_has_its_radius_curvature_and_area(size, turn, place, top):
 
 @every_case
 def test_a_sphere_has_its_radius_curvature_and_area(size, turn, place):
-    centre, axis, around = settings_of(size, turn, place)
-    patch = build.sphere(centre, size, axis, *around)
+    center, axis, around = settings_of(size, turn, place)
+    patch = build.sphere(center, size, axis, *around)
     at, sweep = places(patch), TURNS[turn][1]
-    assert np.abs(np.linalg.norm(patch.evaluate(*at) - centre, axis=-1) - size).max() <= rounding(size, place)
+    assert np.abs(np.linalg.norm(patch.evaluate(*at) - center, axis=-1) - size).max() <= rounding(size, place)
     check_curvatures(patch, at, 1 / size, 1 / size, sweep)
     assert patch.area() == pytest.approx(2 * size**2 * abs(sweep), rel=1e-12)
 
@@ -97,21 +97,21 @@ def test_a_sphere_has_its_radius_curvature_and_area(size, turn, place):
 @every_case
 @pytest.mark.parametrize('tube', (0.1, 0.75))
 def test_a_torus_has_its_radii_curvature_and_area(size, turn, place, tube):
-    centre, axis, around = settings_of(size, turn, place)
-    patch = build.torus(centre, axis, size, tube * size, *around)
+    center, axis, around = settings_of(size, turn, place)
+    patch = build.torus(center, axis, size, tube * size, *around)
     at, sweep = places(patch), TURNS[turn][1]
-    height, radius = split(patch.evaluate(*at), centre, axis)
+    height, radius = split(patch.evaluate(*at), center, axis)
     assert np.abs(np.hypot(height, radius - size) - tube * size).max() <= rounding(size, place)
     check_curvatures(patch, at, (radius - size) / (tube * size) / radius, 1 / (tube * size), sweep)
     assert patch.area() == pytest.approx(2 * math.pi * tube * size**2 * abs(sweep), rel=1e-12)
 
 
-def wedge_of_cylinder(centre, axis, size, start, sweep):
+def wedge_of_cylinder(center, axis, size, start, sweep):
     """A piece of cake: mantle, two sectors and two flat sides on the axis."""
-    mantle = build.cylinder(centre, axis, size, 3 * size, start, sweep)
-    low = build.disc(centre, axis, size, start, sweep).reversed('v')
-    high = build.disc(centre + 3 * size * axis, axis, size, start, sweep)
-    spine = sc.BezierCurve([centre, centre + 3 * size * axis])
+    mantle = build.cylinder(center, axis, size, 3 * size, start, sweep)
+    low = build.disc(center, axis, size, start, sweep).reversed('v')
+    high = build.disc(center + 3 * size * axis, axis, size, start, sweep)
+    spine = sc.BezierCurve([center, center + 3 * size * axis])
     start, end = mantle.boundary('u_start'), mantle.boundary('u_end')
     return [mantle, low, high, build.ruled(spine, start).swapped(), build.ruled(spine, end)]
 
@@ -119,13 +119,13 @@ def wedge_of_cylinder(centre, axis, size, start, sweep):
 @pytest.mark.parametrize('size', SIZES)
 @pytest.mark.parametrize('place', PLACES)
 def test_bodies_of_any_size_and_place_have_the_volume_of_their_closed_form(size, place):
-    centre, axis, _ = settings_of(size, 'whole', place)
-    lid = lambda height, radius: build.disc(centre + height * size * axis, axis, radius * size)
+    center, axis, _ = settings_of(size, 'whole', place)
+    lid = lambda height, radius: build.disc(center + height * size * axis, axis, radius * size)
     for patches, volume in (
-            ([build.sphere(centre, size, axis)], 4 / 3 * math.pi),
-            ([build.torus(centre, axis, size, 0.3 * size)], 2 * math.pi**2 * 0.09),
-            ([build.cylinder(centre, axis, size, 3 * size), lid(0, 1).reversed('v'), lid(3, 1)], 3 * math.pi),
-            ([build.cone(centre, axis, size, 3 * size), lid(0, 1).reversed('v')], math.pi),
-            ([build.cone(centre, axis, size, 3 * size, 2 * size), lid(0, 1).reversed('v'), lid(3, 2)], 7 * math.pi),
-            (wedge_of_cylinder(centre, axis, size, 0.3, 1.1), 1.5 * 1.1)):
+            ([build.sphere(center, size, axis)], 4 / 3 * math.pi),
+            ([build.torus(center, axis, size, 0.3 * size)], 2 * math.pi**2 * 0.09),
+            ([build.cylinder(center, axis, size, 3 * size), lid(0, 1).reversed('v'), lid(3, 1)], 3 * math.pi),
+            ([build.cone(center, axis, size, 3 * size), lid(0, 1).reversed('v')], math.pi),
+            ([build.cone(center, axis, size, 3 * size, 2 * size), lid(0, 1).reversed('v'), lid(3, 2)], 7 * math.pi),
+            (wedge_of_cylinder(center, axis, size, 0.3, 1.1), 1.5 * 1.1)):
         assert sc.PatchSet.from_patches(patches).volume() == pytest.approx(volume * size**3, rel=1e-12)

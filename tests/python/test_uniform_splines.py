@@ -38,13 +38,13 @@ def both_sides(curve, u, order):
 def test_a_doubled_point_puts_the_joint_on_a_leg_where_the_curve_is_straight(seed):
     a, p, b = random_points(7, seed=seed)[2:5]
     curve = uniform(repeated(random_points(7, seed=seed), 2))
-    for joint, neighbour in ((5.0, a), (6.0, b)):
+    for joint, neighbor in ((5.0, a), (6.0, b)):
         left, right = both_sides(curve, joint, 2)
         assert np.abs(left - right).max() <= 1e-13
-        assert np.abs(left[0] - (5 * p + neighbour) / 6).max() <= 1e-14
+        assert np.abs(left[0] - (5 * p + neighbor) / 6).max() <= 1e-14
         # Along the leg, and bent in no direction but that.
-        assert np.abs(np.cross(left[1:], p - neighbour)).max() <= 1e-13
-        assert np.linalg.norm(left[1]) >= 0.4 * np.linalg.norm(p - neighbour)
+        assert np.abs(np.cross(left[1:], p - neighbor)).max() <= 1e-13
+        assert np.linalg.norm(left[1]) >= 0.4 * np.linalg.norm(p - neighbor)
         assert bends(curve, joint).max() <= 1e-12
         found = curve.continuity(joint)
         assert found.c >= 2 and found.g >= 2
@@ -58,9 +58,9 @@ def test_a_tripled_point_gives_straight_legs_and_a_corner_that_is_smooth_in_the_
     curve = uniform(repeated(points, 3))
     # Joint 6 lies in the point; the segments beside it run along the legs, the last sixth of each.
     assert np.abs(curve.evaluate(6.0) - p).max() <= 1e-14
-    for start, neighbour in ((5.0, a), (6.0, b)):
+    for start, neighbor in ((5.0, a), (6.0, b)):
         u = np.linspace(start, start + 1, 21)
-        off = np.cross(curve.evaluate(u, side="left" if start == 5 else "right") - p, neighbour - p)
+        off = np.cross(curve.evaluate(u, side="left" if start == 5 else "right") - p, neighbor - p)
         assert np.abs(off).max() <= 1e-13
     assert np.abs(curve.evaluate([5.0, 7.0]) - [(5 * p + a) / 6, (5 * p + b) / 6]).max() <= 1e-14
     left, right = both_sides(curve, 6.0, 3)

@@ -68,7 +68,7 @@ def test_the_last_bit_of_one_number_makes_a_difference():
     assert cubic().with_points(points) != cubic()
 
 
-@pytest.mark.parametrize("name", ["degree", "points", "knots", "domain", "colour"])
+@pytest.mark.parametrize("name", ["degree", "points", "knots", "domain", "color"])
 def test_attributes_cannot_be_set(name):
     with pytest.raises(AttributeError):
         setattr(circle(), name, 1)

@@ -33,7 +33,7 @@ def test_an_order_that_nothing_tells_is_refused(edges, history):
         in_order([1, 2, 3, 4], edges, history)
 
 
-def test_a_long_chain_in_random_numbers_keeps_its_neighbours():
+def test_a_long_chain_in_random_numbers_keeps_its_neighbors():
     names = np.random.default_rng(1).permutation(100_000).tolist()
     (chain, closed), = in_order(sorted(names), list(zip(names, names[1:])), [])
     assert not closed and chain in (names, names[::-1])

@@ -69,7 +69,7 @@ def test_blends_do_not_shoot_out(inputs):
     assert refused <= 0.2 * (made_count + refused)
 
 
-def test_lofts_between_neighbours_do_not_shoot_out(inputs):
+def test_lofts_between_neighbors_do_not_shoot_out(inputs):
     made_count = 0
     for seed in range(inputs(400)):
         rng = np.random.default_rng([seed, 82])
@@ -78,7 +78,7 @@ def test_lofts_between_neighbours_do_not_shoot_out(inputs):
         around = np.concatenate([around, middle.evaluate(np.linspace(0, 1, 60))])
         ends = [(patch, side, str(rng.choice(["G1", "G2"]))) for patch, side in ((a, side_a), (b, side_b))]
         try:
-            made = build.loft([middle], start_neighbour=ends[0], end_neighbour=ends[1]).value
+            made = build.loft([middle], start_neighbor=ends[0], end_neighbor=ends[1]).value
         except (sc.InvalidShape, sc.ToleranceNotReached) as error:
             assert len(str(error)) > 20
             continue

@@ -9,7 +9,7 @@ from test_fill import off_quadric, polygon_hole
 from test_honest_fillings import found_at, moved, random_sides
 from test_wide_holes import corners_at, hole
 
-REFUSALS = ("back over", "reach its sides", "without a corner", "stands still", "not seen whole", "next to nothing", "lies over no plane", "3 to 8 are expected")
+REFUSALS = ("back over", "reach its sides", "without a corner", "zero derivative", "not seen whole", "too short beside", "lies over no plane", "3 to 8 are expected")
 
 
 def filled(sides, tolerance):
@@ -160,7 +160,7 @@ def test_a_corner_of_more_than_180_degrees_is_refused_by_name(word):
     for a, b in zip(corners, np.roll(corners, -1, 0)):
         out = np.array([(b - a)[1], -(b - a)[0]]) / np.linalg.norm(b - a)
         sides.append((sc.BezierPatch([[(*a, 0), (*(a + 0.3 * out), 0)], [(*b, 0), (*(b + 0.3 * out), 0)]]), "v_start", word))
-    with pytest.raises(sc.InvalidShape, match=r"what leaves sides\[[23]\] turns back over its neighbour at its (start|end)"):
+    with pytest.raises(sc.InvalidShape, match=r"what leaves sides\[[23]\] turns back over its neighbor at its (start|end)"):
         build.fill(sides)
 
 

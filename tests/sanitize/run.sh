@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds everything under sanitizers and runs it: GoogleTest and pytest under address and undefined behaviour, the fuzz
+# Builds everything under sanitizers and runs it: GoogleTest and pytest under address and undefined behavior, the fuzz
 # targets, and in full shared values under the thread sanitizer.
 #   run.sh BUILD CACHE               what finds most in some minutes, the same every time
 #   run.sh BUILD CACHE full          every test, and the fuzz targets for ten minutes each
@@ -93,7 +93,7 @@ google_tests() {
 }
 
 native_tests() {
-  heading "GoogleTest under address and undefined behaviour"
+  heading "GoogleTest under address and undefined behavior"
   google_tests "$asan"/tests/native/splinecore_tests --gtest_filter="$1"
   google_tests "$asan"/tests/native/splinecore_inside_tests
   heading "Inputs that are kept, through the fuzz targets"
@@ -102,7 +102,7 @@ native_tests() {
 
 # The module of the address sanitizer, in a Python that has its runtime.
 python_tests() {
-  heading "pytest on the module under address and undefined behaviour"
+  heading "pytest on the module under address and undefined behavior"
   share "$asan/python-logs" env LD_PRELOAD="$(runtime asan so)" PYTHONMALLOC=malloc \
     PYTHONPATH="$asan/python:$project/tests/sharing" \
     ASAN_OPTIONS=detect_leaks=1:malloc_context_size=2:allocator_may_return_null=1 \

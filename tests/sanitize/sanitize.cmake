@@ -1,4 +1,4 @@
-# Instruments everything that is built: SPLINEWRIGHT_SANITIZE is address (with undefined behaviour) or thread.
+# Instruments everything that is built: SPLINEWRIGHT_SANITIZE is address (with undefined behavior) or thread.
 set(SPLINEWRIGHT_SANITIZE "" CACHE STRING "Sanitizer of the whole build: address, thread or none")
 option(SPLINEWRIGHT_FUZZ "Build the fuzz targets; with address, and clang" OFF)
 
@@ -12,15 +12,15 @@ elseif(SPLINEWRIGHT_FUZZ)
   message(FATAL_ERROR "SPLINEWRIGHT_FUZZ needs SPLINEWRIGHT_SANITIZE=address")
 endif()
 if(flags)
-  # The standard library's own checks find what stays inside an allocation; no whole-program optimisation hides a frame.
+  # The standard library's own checks find what stays inside an allocation; no whole-program optimization hides a frame.
   add_compile_options(${flags} -fno-omit-frame-pointer)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
   add_link_options(${flags})
   set(CMAKE_INTERPROCEDURAL_OPTIMIZATION OFF)
 endif()
 
-# What is watched closely: optimised, for it does the work, and with all its branches told to the fuzz targets. The
-# rest is built once and runs for seconds: not to optimise it halves the time of a build.
+# What is watched closely: optimized, for it does the work, and with all its branches told to the fuzz targets. The
+# rest is built once and runs for seconds: not to optimize it halves the time of a build.
 function(splinewright_watch target)
   if(SPLINEWRIGHT_SANITIZE)
     target_compile_options(${target} PRIVATE -O1 $<$<BOOL:${SPLINEWRIGHT_FUZZ}>:-fsanitize=fuzzer-no-link>)

@@ -22,6 +22,18 @@ def work(recipe, values, sources, space, frames=(), turned=()):
     return make if (space.applied == np.eye(4)).all() else _then(make, space.applied)
 
 
+def made_of(stored, space):
+    """(whether that is all, what result() depends on for a recipes.Stored), to be compared with what that was. Of what is no shape
+    nothing can be told but its place."""
+    recipe, sources, digests = stored.recipe, stored.sources, []
+    for source in sources:
+        digests.append(source.type if source.type == 'EMPTY' else store.digest(source.data) if shape.has_shape(source) else None)
+    matrices = [space.matrix, space.applied, *map(space.of, (*sources, *stored.frames))]
+    is_all = None not in digests and not recipe.radius_asked
+    return is_all, (recipe.kind, stored.values, stored.turned, [source.name for source in sources], digests,
+                    [matrix.tobytes() for matrix in matrices])
+
+
 def _then(make, matrix):
     """make() of which the result is moved by a matrix."""
     def moved(cancel):
@@ -127,7 +139,7 @@ def definition_of(source, depsgraph):
     if shape.has_shape(source):
         return store.read(source.data)
     if not is_possible(source):
-        raise Refusal(f"{source.name} is no curve, surface or Splinewright shape")
+        raise Refusal(f"{source.name} is not a curve, surface or Splinewright shape")
     reading = read_native.read(source, depsgraph)
     if reading.value is None:
         raise Refusal(f"{source.name} shows nothing that could be followed")

@@ -15,6 +15,8 @@ class FileState:
 
     is_scanned: bool = False                            # whether the file was looked through since it was opened
     followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
+    causes: object = None                               # the bridge.causes.Index of the followers, until they have others
+    made: dict = field(default_factory=dict)            # of a follower what it was made of last; of bridge.follow
     owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
     doubtful: set = field(default_factory=set)          # followers that did not follow before all objects became others
     stopped: tuple = ()                                 # what ui.stopped says in the status bar
@@ -27,6 +29,7 @@ class FileState:
     selected: dict = field(default_factory=dict)        # of a net's data-block its selected vertices, until it changes
     drawn: dict = field(default_factory=dict)           # of a net's data-block what ui.overlay draws, until it changes
     sights: dict = field(default_factory=dict)          # of a shape's data-block what bridge.sights keeps, until it changes
+    overlaid: dict = field(default_factory=dict)        # of an object and what it shows that is drawn over it, until anything changes
     targets: dict = field(default_factory=dict)         # of an object its bridge.deviation_targets.Target, until it changes
     is_still: bool = False                              # whether distances have not changed for a while
     handed: tuple = ()                                  # the ended_operators() when ui.editing looked at copies last
@@ -37,6 +40,7 @@ class FileState:
     status: str = ""                                    # what ui.messages says in the status bar
     quiet: set = field(default_factory=set)             # data-blocks whose settings change without a new evaluation
     shown: dict = field(default_factory=dict)           # of a data-block the settings by which it was written last
+    readings: dict = field(default_factory=dict)        # of a data-block the bridge.readings.Reading of its definition
     definitions: dict = field(default_factory=dict)     # of a digest the definition that was read
     touched: dict = field(default_factory=dict)         # of a data-block whether others changed it, until it changes
     by_hand: set = field(default_factory=set)           # data-blocks that were changed in Edit Mode
@@ -49,6 +53,7 @@ class FileState:
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: a ui.aim_overlay.Aim
+    is_pointing: bool = False                           # whether an operator waits for what is clicked
     sides: tuple = ()                                   # while sides of patches are picked: (object's name, number, side) each
     rounding: tuple = None                              # while edges are picked that are rounded: ui.edges_overlay.Edges
     edge: tuple = None                                  # of ui.edge_picking, while an edge is picked: the one at the mouse
@@ -97,6 +102,7 @@ def look_again(block):
     state.selected.pop(name, None)
     state.drawn.pop(name, None)
     state.sights.pop(name, None)
+    state.overlaid.clear()
     for ob in [ob for ob, target in state.targets.items() if target.data == name]:
         del state.targets[ob]
 

@@ -1,8 +1,7 @@
 """Shapes that follow an object: which they are, in which order, and how they are brought up to date."""
 
-import contextlib
 import functools
-import graphlib
+import heapq
 
 import bpy
 import numpy as np
@@ -11,7 +10,7 @@ from mathutils import Matrix
 from ..core import definition as definitions
 from ..core.failures import Refusal, told
 from ..core.recipes.table import FOLLOW
-from . import derived, handles, held, placing, point_keys, problems, recipes, shape, store
+from . import causes, derived, handles, held, placing, point_keys, problems, recipes, shape, store
 from .file_state import block_of, key, state
 
 
@@ -25,6 +24,7 @@ class Cycle(Refusal):
 
 def scan():
     """Find all followers of the file."""
+    state.causes = None
     state.followers.clear()
     state.owners.clear()
     state.doubtful |= problems.told_of(problems.FOLLOWING)
@@ -38,6 +38,7 @@ def _add(blocks):
     for data in blocks:
         if _is_live(data) and key(data) not in state.followers:
             state.followers.add(key(data))
+            state.causes = None
             recipes.watch(data)
 
 
@@ -171,6 +172,7 @@ def _in_space(data, wanted, depsgraph):
 def _write(data, recipe, values, sources, result, frames=()):
     recipes.write_derived(data, recipe, values, sources, result, frames)
     state.followers.add(key(data))
+    state.causes = None
 
 
 def require_no_cycle(data, source):
@@ -181,7 +183,7 @@ def require_no_cycle(data, source):
         if ob.data == data:
             raise Cycle(f"{ob.name} would follow itself")
         if key(ob) not in seen and ob.data and recipes.follows(ob.data):
-            waiting += _all_pointers(ob.data)
+            waiting += recipes.all_pointers(ob.data)
         seen.add(key(ob))
 
 
@@ -193,24 +195,56 @@ def refresh(changed, depsgraph):
     turn = _Turn(depsgraph)
     changed = {*changed, *filter(None, map(block_of, state.doubtful))}
     state.doubtful = set()
-    causes = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
-    for data in _in_order():
-        due = causes.intersection(_causes(data))
-        is_alone = due == {data} and data not in changed
-        if due and _update(data, turn, is_alone):
-            causes.add(data)
+    blocks = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
+    done, index = set(), None
+    while index is None or index is not state.causes:           # one had other causes than were known
+        index = _index()
+        _update_by(index, blocks, changed, turn, done)
 
 
-def _causes(data):
-    """What a follower depends on; of an object that shows it its place, for which the follower itself stands here."""
-    for source in recipes.pointers(data):
-        yield from (source, source.data, getattr(source.data, 'shape_keys', None))
-    yield from recipes.frames(data)
-    yield data
+def _update_by(index, blocks, changed, turn, done):
+    """Update what blocks are causes of, and what follows that, as far as an index turns out to be right."""
+    waiting = sorted({number for block in blocks for number in index.followers_of(block)})
+    while waiting and index is state.causes:
+        number = heapq.heappop(waiting)
+        data = None if index.order[number] in done else _follower(index, number)
+        if data is None:
+            continue
+        done.add(key(data))
+        due = blocks.intersection(causes.of(data))
+        is_own = due == {data}
+        if due and _update(data, turn, is_own and data not in changed, is_own):
+            blocks.add(data)
+            for follower in index.followers_of(data):
+                if follower > number and follower not in waiting:
+                    heapq.heappush(waiting, follower)
 
 
-def _all_pointers(data):
-    return [*recipes.pointers(data), *recipes.frames(data)]
+def _index():
+    """The causes.Index of all followers. Those of a circle are told so."""
+    if state.causes is None:
+        state.causes = causes.Index(_blocks())
+        for data in state.causes.stuck:
+            problems.tell(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
+        state.causes.stuck = []
+    return state.causes
+
+
+def look_again(data):
+    """A data-block changed, but for its geometry: a follower may follow others now."""
+    if state.causes is not None and not state.causes.knows_all(data):
+        state.causes = None
+
+
+def _follower(index, number):
+    """The follower of a number; None, and another index is to be made, where it is not as it was."""
+    data = block_of(index.order[number])
+    if data is not None and _is_live(data) and index.knows(number, data):
+        return data
+    if data is None or not _is_live(data):
+        scan()                          # it was renamed or removed
+    state.causes = None
+    return None
 
 
 def _note(blocks):
@@ -224,8 +258,8 @@ def _note(blocks):
 def refresh_all(changed, depsgraph):
     """Bring every follower up to date that a depsgraph shows: another frame, another file."""
     _note(changed)
-    turn, state.doubtful = _Turn(depsgraph), set()
-    for data in _in_order():
+    turn, state.doubtful, state.causes = _Turn(depsgraph), set(), None
+    for data in list(map(block_of, _index().order)):
         _update(data, turn)
         if depsgraph.mode == 'VIEWPORT' and recipes.watch(data):
             state.doubtful.add(key(data))           # its driver was taken away: now Blender evaluates what it needs
@@ -314,37 +348,54 @@ def _owner_of(data, turn):
     return owner
 
 
-def _update(data, turn, is_alone=False):
+def _update(data, turn, is_alone=False, is_own=False):
     """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too.
 
-    is_alone: whether nothing but the place of its object is another.
+    is_alone: whether nothing but the place of its object is another. is_own: whether nothing that it is made from is.
     """
     try:
-        owner = _owner_of(data, turn)
-        if owner is None:
+        known, (stored, space) = state.made.pop(key(data), None), _ready(data, turn)
+        if stored is None:
             return False
-        stored = recipes.read(data)
-        pointed = *stored.sources, *stored.frames
-        if not turn.in_use.issuperset(pointed) or not all(map(turn.shows, pointed)):
-            return False
-        for source, was_shape in zip(stored.sources, stored.were_shapes):
-            if was_shape and not shape.has_shape(source):
-                raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
-        space = placing.kept_up(data, owner, pointed, turn.depsgraph)
         if is_alone and placing.moves_freely(data):
+            state.made[key(data)] = known
             return False
-        result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
-        definition = result.definition
-        recipes.keep_names(data)
+        is_all, made_of = derived.made_of(stored, space)
+        is_same = (is_all or is_own) and known == (made_of, store.digest(data)) and not shape.is_touched(data)
+        is_new = not is_same and _make(data, stored, space)
         problems.tell(data, problems.FOLLOWING, "")
-        if _same(store.read(data), definition) and not shape.is_touched(data):
-            return False
-        shape.set_definition(data, definition)
-        recipes.write_achieved(data, result)
-        return True
+        state.made[key(data)] = made_of, store.digest(data)
+        return is_new
     except Exception as error:
         problems.tell(data, problems.FOLLOWING, _naming_input(data, told(error)))
         return False
+
+
+def _ready(data, turn):
+    """(the recipes.Stored of a follower, its placing.Space); None for both where it is not to be brought up to date. Raises Refusal
+    and UnreadableDefinition."""
+    owner = _owner_of(data, turn)
+    if owner is None:
+        return None, None
+    stored = recipes.read(data)
+    pointed = *stored.sources, *stored.frames
+    if not turn.in_use.issuperset(pointed) or not all(map(turn.shows, pointed)):
+        return None, None
+    for source, was_shape in zip(stored.sources, stored.were_shapes):
+        if was_shape and not shape.has_shape(source):
+            raise Refusal(f"{source.name} is no Splinewright shape any more: it stays as it was last")
+    return stored, placing.kept_up(data, owner, pointed, turn.depsgraph)
+
+
+def _make(data, stored, space):
+    """Whether a follower is another after it was made anew. Raises FAILURES."""
+    result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
+    recipes.keep_names(data)
+    if _same(store.read(data), result.definition) and not shape.is_touched(data):
+        return False
+    shape.set_definition(data, result.definition)
+    recipes.write_achieved(data, result)
+    return True
 
 
 def _naming_input(data, sentence):
@@ -369,24 +420,7 @@ def followers_of(ob):
 def links():
     """Pairs of a follower and an object that it follows, of those that are shown."""
     turn = _Turn(None)
-    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in _all_pointers(data)]
-
-
-def _in_order():
-    """The followers, each after the shape that it follows. Those of a cycle are left out."""
-    blocks = {key(data): data for data in _blocks()}
-    sorter = graphlib.TopologicalSorter(
-        {name: {key(source.data) for source in _all_pointers(data) if source.data} for name, data in blocks.items()})
-    with contextlib.suppress(graphlib.CycleError):
-        sorter.prepare()
-    order = []
-    while sorter.is_active():
-        ready = sorter.get_ready()
-        order += [blocks.pop(name) for name in sorted(ready) if name in blocks]
-        sorter.done(*ready)
-    for data in blocks.values():
-        problems.tell(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
-    return order
+    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in recipes.all_pointers(data)]
 
 
 def _blocks():

@@ -312,19 +312,19 @@ def hide_with_faces(mesh):
 
 def active(mesh):
     """Which layers are shown and which are rendered, by their names, for set_active()."""
-    colours, uvs = mesh.color_attributes, mesh.uv_layers
-    return {'colour': colours.active_color_name, 'rendered colour': colours.default_color_name,
+    colors, uvs = mesh.color_attributes, mesh.uv_layers
+    return {'color': colors.active_color_name, 'rendered color': colors.default_color_name,
             'uv': uvs.active.name if uvs.active else "",
             'rendered uv': next((layer.name for layer in uvs if layer.active_render), "")}
 
 
 def set_active(mesh, names):
-    colours, uvs = mesh.color_attributes, mesh.uv_layers
+    colors, uvs = mesh.color_attributes, mesh.uv_layers
     # Blender 3.4 takes no names here.
-    if names['colour'] in colours:
-        colours.active_color = colours[names['colour']]
-    if names['rendered colour'] in colours:
-        colours.render_color_index = colours.keys().index(names['rendered colour'])
+    if names['color'] in colors:
+        colors.active_color = colors[names['color']]
+    if names['rendered color'] in colors:
+        colors.render_color_index = colors.keys().index(names['rendered color'])
     if names['uv'] in uvs:
         uvs.active = uvs[names['uv']]
     if names['rendered uv'] in uvs:

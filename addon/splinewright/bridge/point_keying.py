@@ -13,7 +13,7 @@ from .net import keyed_net, live
 def require_free(data):
     """Raises Refusal where points of a data-block cannot have keys."""
     if recipes.has(data):
-        raise Refusal(f"{data.name} is made by a recipe: key its numbers in the panel, or use Make Editable first")
+        raise Refusal(f"{data.name} is made by a recipe: key its numbers in the panel, or use Apply Construction first")
     shape.require_writable(data)
     action = data.animation_data.action if data.animation_data else None
     if action is not None and (action.library or action.override_library):

@@ -91,7 +91,7 @@ def given(data, evaluated):
     there = chosen[is_there]
     after, problem = keyed_rows.taken(definition, of_item[there], values(evaluated)[there], is_given[there])
     if not is_there.all():
-        problem = problem or f"keys are of {_points((~is_there).sum())} that the shape has not: use Clear Keys of Points"
+        problem = problem or f"keys are of {_points((~is_there).sum())} that the shape has not: use Clear Point Keyframes"
     return (None if after is definition else after), problem
 
 

@@ -23,11 +23,11 @@ SAVED = "saved"
 
 def tell(data, about, sentence):
     """Keep a sentence; "" takes the one about the same thing away."""
-    of_data = state.problems.setdefault(key(data), {})
+    name = key(data)
     if sentence:
-        of_data[about] = sentence
-    else:
-        of_data.pop(about, None)
+        state.problems.setdefault(name, {})[about] = sentence
+    elif name in state.problems:
+        state.problems[name].pop(about, None)
 
 
 def of(data, about):

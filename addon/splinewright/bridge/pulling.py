@@ -81,7 +81,7 @@ class HeldNet:
     def _positions(self, definition):
         net = net_object.net_of(definition)
         if not np.array_equal(net.origins, self._net.origins):
-            raise Refusal("the net is of another time than its shape: use Renew Net first")
+            raise Refusal("the net is of another time than its shape: use Reload Control Points first")
         return net.positions
 
     def _place(self, how, target):

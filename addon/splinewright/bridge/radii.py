@@ -13,7 +13,7 @@ def along_curve(ob, definition):
     """The curve over the domain of the one piece of a definition, as derived.definition_of() gives it, of which x is the radius
     that an object has there. Raises Refusal where there is none."""
     if not definition.has_curves:
-        raise Refusal(f"{ob.name} is no curve: it has no radius")
+        raise Refusal(f"{ob.name} is not a curve: it has no radius")
     if len(definition.pieces) != 1:
         raise Refusal(_SEVERAL.format(ob.name, len(definition.pieces)))
     curve = verbs.curves_of(definition)[0]

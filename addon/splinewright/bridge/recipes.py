@@ -17,6 +17,7 @@ from ..core.recipes.recipe import Recipe
 from ..core.recipes.table import RECIPES
 from . import parameters as properties
 from . import store, watching
+from .file_state import state
 
 #: No registered property has this name: before Blender 5.0 reading it would put an empty group in place of ours.
 KEY = "splinewright_recipe"
@@ -78,6 +79,11 @@ def frames(data):
     return _pointed(data, _frame_keys(data[KEY])) if store.is_group(data[KEY]) else []
 
 
+def all_pointers(data):
+    """The objects that a shape is made from, and frames, as pointers()."""
+    return [*pointers(data), *frames(data)]
+
+
 def pointed_by_name(data):
     """[(name, object)] of all that a shape is made from and of frames, as far as can be told without reading the recipe: None for
     one that was deleted, with the name that it had last, or ""."""
@@ -137,7 +143,7 @@ def read(data):
         return None
     group = data[KEY]
     if not store.is_group(group):
-        raise _damaged(data, "it is no group of properties")
+        raise _damaged(data, "it is not a group of properties")
     recipe = _recipe(data, group)
     try:
         sources = _sources(group, recipe)
@@ -150,7 +156,7 @@ def read(data):
 
 def _damaged(data, reason):
     return store.UnreadableDefinition(f"The recipe of {data.name} is damaged ({str(reason)[:200]}): "
-                                      "it is shown as it was last, and Make Editable drops the recipe")
+                                      "it is shown as it was last, and Apply Construction drops the recipe")
 
 
 def _recipe(data, group):
@@ -228,14 +234,15 @@ def remove(data):
     if KEY in data.keys():
         watching.stop(data, WATCHED)
         del data[KEY]
+        state.causes = None
 
 
 def require_free(data):
     """Raises Refusal where a recipe would write over what is changed by other ways."""
     if follows(data):
-        raise Refusal(f"{data.name} follows another object: use Make Editable first")
+        raise Refusal(f"{data.name} follows another object: use Apply Construction first")
     if has(data):
-        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Make Editable first")
+        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Apply Construction first")
 
 
 def of(data):
@@ -287,6 +294,8 @@ def write_derived(data, recipe, values, sources, result, frames=(), turned=()):
     group.update(zip(map(_numbered, itertools.count()) if recipe.has_places else (_FRAME,), frames))
     group[_NAMES] = "\n".join(ob.name if ob else "" for ob in (*sources, *frames))
     store.assign(data, KEY, group)
+    state.causes = None
+    state.overlaid.clear()
     _show(data, recipe, values, frames, len(sources))
     watch(data)
 

@@ -102,7 +102,7 @@ def follow_points(data, net, is_turned):
     if spline.closed and not recipe.can_close:
         raise Refusal(f"{recipe.label} cannot be closed: open its net (Toggle Cyclic), the shape waits")
     if spline.count < 2:
-        raise Refusal("one point is no curve: the shape waits for more")
+        raise Refusal("a curve needs two points: the shape waits for more")
     points = net.positions[::-1] if recipe.has_groups and is_turned else net.positions
     if spline.closed == is_closed(data) and np.array_equal(points, recipes.points(data)):
         return False
@@ -113,4 +113,4 @@ def follow_points(data, net, is_turned):
 
 def _require_no_weights(weights):
     if (weights != 1.0).any():
-        raise Refusal("the points of this recipe have no weights: use Make Editable for that")
+        raise Refusal("the points of this recipe have no weights: use Apply Construction for that")

@@ -32,6 +32,16 @@ def can_change(data):
     return True
 
 
+def seems_changeable(data):
+    """can_change() as it was when Blender last told of a change, for what is drawn again and again."""
+    try:
+        recipes.require_free(data)
+        shape.require_writable(data)
+    except Refusal:
+        return False
+    return not shape.seems_touched(data)
+
+
 def do(data, number, verb, already):
     """Do a verb with a piece of a shape, or with all where the number is 0.
 

@@ -128,12 +128,11 @@ def _counted(self, context):
 def mode_property(default=COUNT, **more):
     return EnumProperty(
         name="Faces", description="How many faces show the surface, or straight pieces the curve",
-        items=((COUNT, "By Count", "So many in every span"),
+        items=((COUNT, "By Count", "A fixed number in every span"),
                (TOLERANCE, "By Tolerance", "As many as it takes to come this near to the surface or curve: few where it is flat"),
                (ANGLE, "By Angle", "As many as it takes to turn by no more than an angle on a face or piece"),
                (BOTH, "By Both", "As many as tolerance and angle take together"),
-               (AUTOMATIC, "Automatic", "As many as it takes to look smooth as a whole: by a tolerance that suits its size, and by "
-                "angle")),
+               (AUTOMATIC, "Automatic", "As many as a smooth look needs: by angle, and by a tolerance that suits the size")),
         default=default, **more)
 
 
@@ -169,19 +168,19 @@ class Settings:
         name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
     show_seams: BoolProperty(
-        name="Show on the Surface", description="Colour the seams of the patches along them by how smoothly they go on",
+        name="Color Seams by Continuity", description="Color the seams of the patches by continuity",
         default=False, options=set(), override=_OF_OVERRIDES)
     show_numbers: BoolProperty(
         name="Show Numbers", description="Show the numbers of the pieces in the 3D view, which operators ask for",
         default=False, options=set(), override=_OF_OVERRIDES)
     measure_u: FloatProperty(
-        name="Place U", description="Where the shape is measured, as a part of the domain along u", default=0.5, min=0.0,
+        name="Parameter U", description="Where the shape is measured, as a part of the domain along u", default=0.5, min=0.0,
         max=1.0, subtype='FACTOR', precision=4, options=set(), override=_OF_OVERRIDES)
     measure_v: FloatProperty(
-        name="Place V", description="Where the shape is measured, as a part of the domain along v", default=0.5, min=0.0,
+        name="Parameter V", description="Where the shape is measured, as a part of the domain along v", default=0.5, min=0.0,
         max=1.0, subtype='FACTOR', precision=4, options=set(), override=_OF_OVERRIDES)
     piece: IntProperty(
-        name="Piece in Hand", description="The piece, counted from 1, with which operators begin that ask for one; "
+        name="Active Piece", description="The piece, counted from 1, with which operators begin that ask for one; "
         "0 for none", default=0, min=0, options=set())
     other_piece: IntProperty(
         name="Other Piece", description="The piece, counted from 1, with which operators begin that ask for a second one; "

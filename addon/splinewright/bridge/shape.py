@@ -270,11 +270,11 @@ def require_writable(data):
     if data.library:
         raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
     if data.override_library or data.is_evaluated:
-        raise Refusal(f"{data.name} is a copy that Blender makes anew: change the original")
+        raise Refusal(f"{data.name} is an evaluated copy: change the original")
     if data.is_editmode:
         raise Refusal(f"{data.name} is in Edit Mode: leave it first")
     if data.shape_keys:
-        raise Refusal(f"{data.name} has shape keys, which hold positions of their own: remove them first")
+        raise Refusal(f"{data.name} has shape keys, which hold other positions: remove them first")
 
 
 def require_untouched(data):

@@ -84,10 +84,10 @@ def bars_of(data, number):
 
 
 def faces_of(data, value=None):
-    """The core.sights.faces.Faces of patches: shaded() ones, or those that are coloured() by a value."""
+    """The core.sights.faces.Faces of patches: shaded() ones, or those that are colored() by a value."""
     patch_set = definitions.to_patch_set(store.read(data))
     tessellation = fineness.tessellated(data, patch_set)
-    return faces.coloured(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
+    return faces.colored(tessellation, patch_set, value) if value else faces.shaded(tessellation, patch_set)
 
 
 def isocurves_of(data, count):

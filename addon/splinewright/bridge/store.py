@@ -4,7 +4,6 @@ read() is the one door: what it gives the library takes, and anything else that 
 Version 1 had no stamp of what was written; a shape of that version is taken as it is.
 """
 
-import hashlib
 import json
 import math
 
@@ -16,6 +15,7 @@ from ..core import definition as definitions
 from ..core.definition import Definition, Piece
 from ..core.failures import Refusal, WrongKind
 from ..core.library import sc
+from . import readings
 from .file_state import look_again, remember, state
 
 KEY = "splinewright_definition"
@@ -24,7 +24,7 @@ _DRAFT = "draft"
 VERSION = 2
 #: What a stamp counts is below it.
 _MOST = 2.0 ** 53
-#: Definitions that are kept after they were read.
+#: Definitions that are kept by their digests after they were read.
 _KEPT = 8
 
 _NOUNS = {bpy.types.Mesh: "a mesh", bpy.types.Curve: "a curve", bpy.types.SurfaceCurve: "a surface of Blender's own",
@@ -71,23 +71,19 @@ def _tell(data):
 
 
 def digest(data):
-    """What differs wherever definitions differ, for use as a key. Cheaper than to read one.
+    """What differs wherever definitions differ, for use as a key. Raises UnreadableDefinition where none can be told."""
+    return reading(data).digest
 
-    Raises UnreadableDefinition where none can be told.
-    """
-    group, found = _group(data), hashlib.blake2b(digest_size=16)
-    for name in ('version', 'form', 'structure', 'pool', 'indices', 'knots'):
-        value = group.get(name)
-        is_array = hasattr(value, 'typecode')
-        content = np.array(value).tobytes() if is_array else repr(value).encode(errors='replace')
-        found.update(b"%d %d " % (is_array, len(content)) + content)
-    return found.digest()
+
+def reading(data):
+    """The readings.Reading of a data-block that has a definition. Raises UnreadableDefinition where something else is stored."""
+    return readings.of(data, _group(data))
 
 
 def _group(data):
     """The stored group. Raises UnreadableDefinition where something else is stored."""
     if not is_group(data[KEY]):
-        raise _unreadable("it is no group of properties")
+        raise _unreadable("it is not a group of properties")
     return data[KEY]
 
 
@@ -174,23 +170,33 @@ def read(data):
     if KEY not in data.keys():
         return None
     require_known_version(data)
-    found = digest(data)
-    definition = state.definitions.get(found)
+    found = reading(data)
     try:
-        if definition is None:
-            definition = remember(state.definitions, found, valid(_group(data)), _KEPT)
-        require_fitting(data, definition)
+        if found.definition is None:
+            found.definition = _definition(found)
+        require_fitting(data, found.definition)
     except UnreadableDefinition:
         raise
     except Refusal as error:
         raise _unreadable(error) from error
-    return definition
+    return found.definition
+
+
+def _definition(found):
+    """Of a Reading: undo brings contents back that were read before."""
+    if found.digest not in state.definitions:
+        remember(state.definitions, found.digest, _valid(lambda: found.contents), _KEPT)
+    return state.definitions[found.digest]
 
 
 def valid(group):
-    """decoded(), of which the library makes a value. Raises Refusal where it is damaged."""
+    """decoded() of what is stored, of which the library makes a value. Raises Refusal where it is damaged."""
+    return _valid(lambda: readings.contents_of(group))
+
+
+def _valid(get_contents):
     try:
-        definition = decoded(group)
+        definition = decoded(get_contents())
         definitions.to_value(definition)
         return definition
     except (sc.Error, LookupError, TypeError, ValueError, AttributeError, ArithmeticError, RecursionError,
@@ -224,17 +230,17 @@ def require_fitting(data, definition):
 
 
 def decoded(group):
-    """The definition of what encoded() made, of this version or one before.
+    """The definition of the readings.contents_of() of what encoded() made, of this version or one before.
 
     Raises Refusal, KeyError and the like where it is damaged.
     """
     if not isinstance(group['version'], int) or not 1 <= group['version'] <= VERSION:
         raise Refusal(f"its version is {group['version']!r}")
-    pool = np.array(group['pool'], dtype=np.float64).reshape(-1, 4)
-    all_indices = np.array(group['indices'])
+    pool = np.asarray(group['pool'], dtype=np.float64).reshape(-1, 4)
+    all_indices = np.asarray(group['indices'])
     if all_indices.dtype != np.int32:
         raise ValueError("its indices are no whole numbers")
-    all_knots = np.array(group['knots'], dtype=np.float64)
+    all_knots = np.asarray(group['knots'], dtype=np.float64)
     pieces, next_index, next_knot = [], 0, 0
     for entry in json.loads(group['structure']):
         count = math.prod(map(_whole, entry['shape']))

@@ -3,7 +3,9 @@
 import time
 from contextlib import suppress
 
-from ..core import aiming, continuity, landmarks, measured, offers, seams, transform, verbs
+import numpy as np
+
+from ..core import aiming, continuity, describe, landmarks, measured, offers, seams, sections, transform, verbs, ways
 from ..core.library import sc
 from ..core.rounding import edges as rounding
 from . import store
@@ -13,7 +15,7 @@ from .file_state import remember, state
 SHOWN = 50
 #: Seams that are drawn.
 DRAWN = 500
-#: So much of definitions is kept, and so many Wholes.
+#: So much of definitions is kept by their digests, and so many Wholes.
 _KEPT, _WHOLES = 8, 64
 
 
@@ -60,9 +62,7 @@ def edges_of(data, sources, matrices):
     """(n, 3): a point on each edge of shapes under matrices, as Round Edge numbers them, kept for what they make. Raises
     store.UnreadableDefinition and Refusal."""
     key = 'edges', data.name, *(store.digest(source.data) for source in sources), *(matrix.tobytes() for matrix in matrices)
-    if key not in state.surveys:
-        remember(state.surveys, key, rounding.middles_of(_shapes_of(sources, matrices)), _KEPT)
-    return state.surveys[key]
+    return _by_digest(key, lambda: rounding.middles_of(_shapes_of(sources, matrices)))
 
 
 def edge_lines_of(sources, matrices, text=""):
@@ -73,6 +73,29 @@ def edge_lines_of(sources, matrices, text=""):
 
 def _shapes_of(sources, matrices):
     return [verbs.pieces_of(transform.transformed(store.read(source.data), matrix)) for source, matrix in zip(sources, matrices)]
+
+
+def ways_of(data):
+    """{sides: core.ways.Way} of the joints of survey_of(). Raises store.UnreadableDefinition."""
+    return _kept('ways', data, lambda definition: ways.of_joints(definition, survey_of(data).joints))
+
+
+def starts_of(data):
+    """(4, 3): where the first curve of a definition starts and a place a part further, and the latter and the former of the curve
+    that is turned; of a patch its middle. Raises store.UnreadableDefinition."""
+    return _kept('starts', data, _starts)
+
+
+def _starts(definition):
+    piece = verbs.pieces_of(definition)[0]
+    if definition.has_curves:
+        return sections.samples(piece)[[0, 3, -4, -1]]
+    return np.repeat([piece.evaluate(*map(np.mean, piece.domain))], 4, axis=0)
+
+
+def described(data):
+    """core.describe.lines() of a definition. Raises store.UnreadableDefinition."""
+    return _kept('described', data, describe.lines)
 
 
 def refused(data):
@@ -127,7 +150,12 @@ def _survey(definition):
 
 
 def _kept(what, data, work):
-    digest = store.digest(data)
-    if (what, digest) not in state.surveys:
-        remember(state.surveys, (what, digest), work(store.read(data)), _KEPT)
-    return state.surveys[what, digest]
+    reading = store.reading(data)
+    return reading.kept(what, lambda: _by_digest((what, reading.digest), lambda: work(store.read(data))))
+
+
+def _by_digest(name, make):
+    """What undo brings back is known by its digest."""
+    if name not in state.surveys:
+        remember(state.surveys, name, make(), _KEPT)
+    return state.surveys[name]

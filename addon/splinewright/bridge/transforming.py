@@ -50,7 +50,7 @@ def _require_still(ob, location, rotation, scale):
 def _require_no_keys(data):
     """Raises Refusal where keys or drivers would put points back."""
     if point_keys.has(data):
-        raise Refusal("its points have keys, which would move them back: use Clear Keys of Points first")
+        raise Refusal("its points have keys, which would move them back: use Clear Point Keyframes first")
 
 
 def _rest(matrix, location, rotation, scale):

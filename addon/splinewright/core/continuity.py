@@ -13,7 +13,7 @@ _NEAR = 1e-3
 #: Ends are sorted along it: on a grid no two of them come together there.
 _SLANT = np.array([0.269, 0.535, 0.801])
 #: Of ends in one place each is compared with so many others.
-_MOST_NEIGHBOURS = 16
+_MOST_NEIGHBORS = 16
 
 
 class Joint(NamedTuple):
@@ -131,7 +131,7 @@ def _meetings(ends, near):
     along = points @ _SLANT
     order = np.argsort(along, kind='stable')
     found = []
-    for step in range(1, min(len(order), _MOST_NEIGHBOURS + 1)):
+    for step in range(1, min(len(order), _MOST_NEIGHBORS + 1)):
         a, b = order[:-step], order[step:]
         if (along[b] - along[a]).min() > near.max():
             break

@@ -66,11 +66,11 @@ def _radii(count):
     return (4 + 2 * math.cos(step)) / 6, (46 * math.cos(step / 2) + 2 * math.cos(1.5 * step)) / 48
 
 
-def ellipse(centre, to_a, to_b, tolerance):
-    """(the curve, how far it lies from the exact one): of the vectors from the centre to the ends of two half axes."""
+def ellipse(center, to_a, to_b, tolerance):
+    """(the curve, how far it lies from the exact one): of the vectors from the center to the ends of two half axes."""
     longest = max(np.linalg.norm(to_a), np.linalg.norm(to_b))
     found = around(0.0, None, _relative(tolerance, longest))
-    points = np.asarray(centre) + found.points @ np.array([to_a, to_b])
+    points = np.asarray(center) + found.points @ np.array([to_a, to_b])
     return sc.NurbsCurve(DEGREE, found.knots, points, periodic=True), found.error * longest
 
 

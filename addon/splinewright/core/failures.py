@@ -1,6 +1,6 @@
 """What may go wrong at a door of Splinewright, and how it is said.
 
-A Refusal, an error of the library, a file that cannot be reached and memory that is not there are told to the modeller
+A Refusal, an error of the library, a file that cannot be reached and memory that is not there are told to the modeler
 as sentences. Anything else is a mistake of ours: its traceback is shown.
 """
 
@@ -12,7 +12,7 @@ from .library import sc
 
 
 class Refusal(ValueError):
-    """Something is not done, for a reason that a modeller understands; nothing has changed."""
+    """Something is not done, for a reason that a modeler understands; nothing has changed."""
 
 
 class WrongKind(Refusal, TypeError):
@@ -64,7 +64,7 @@ def about_items(**numbers):
         raise AboutInputs(text, *found) from error
 
 
-#: What a modeller is told of; where the library is missing, nothing of its own.
+#: What a modeler is told of; where the library is missing, nothing of its own.
 FAILURES = (Refusal, OSError, MemoryError, *([sc.Error] if sc else []))
 
 
@@ -80,7 +80,7 @@ def told(error):
     if isinstance(error, FAILURES):
         return sentence(error)
     traceback.print_exception(type(error), error, error.__traceback__)
-    return f"a mistake of Splinewright's own, told of in the console ({type(error).__name__}: {error})"
+    return f"an error in Splinewright, shown in the console ({type(error).__name__}: {error})"
 
 
 @contextmanager

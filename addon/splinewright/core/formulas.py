@@ -149,7 +149,7 @@ def _casteljau(curve, u):
     for level, points in enumerate(rows):
         lines.append(f"  {level}:  " + "   ".join(f"{_vector(row[:3])} w = {_number(row[3])}" for row in points))
     if broken is not None:
-        lines.append("  Here " + teaching.broken_text(broken) + "; the homogeneous one goes on:")
+        lines.append("  Here " + teaching.broken_text(broken) + "; the homogeneous algorithm continues:")
         for level, points in enumerate(bezier.casteljau_triangle(t)):
             lines.append(f"  {level}:  " + "   ".join("[" + " ".join(map(_number, row)) + "]" for row in points))
     return lines

@@ -1,4 +1,4 @@
-"""Handle types of chains, as Blender has them: where handles are computed from their neighbours, and whether they lie so.
+"""Handle types of chains, as Blender has them: where handles are computed from their neighbors, and whether they lie so.
 
 Types are kept as letters, two to a joint: of the handle before it, and of the one after it. A type is kept as long as it is
 true of where its handle lies: what moves handles otherwise makes them aligned or free.
@@ -16,7 +16,7 @@ FREE, AUTO, VECTOR, ALIGNED = 'F', 'A', 'V', 'L'
 NAMES = {FREE: 'FREE', AUTO: 'AUTO', VECTOR: 'VECTOR', ALIGNED: 'ALIGNED'}
 LETTERS = {name: letter for letter, name in NAMES.items()}
 
-#: Blender's: an automatic handle is as long as the way to the neighbour by this, and that way counts as so many times the
+#: Blender's: an automatic handle is as long as the way to the neighbor by this, and that way counts as so many times the
 #: other one at most.
 _LENGTH, _MOST = 2.5614, 5.0
 #: Directions that cancel each other out to this part of them say nothing.
@@ -53,7 +53,7 @@ def _halfway(points, closed, one):
 
 
 def towards(points, closed):
-    """(n, 2, 3): where those of the type VECTOR lie, at a third of the way to the neighbour."""
+    """(n, 2, 3): where those of the type VECTOR lie, at a third of the way to the neighbor."""
     before, after = _ways(points, closed)
     return points[:, None] + np.stack([-before, after], 1) / 3.0
 
@@ -71,7 +71,7 @@ def in_line(triples):
 
 
 def _ways(points, closed):
-    """(n, 3) twice: the ways from the neighbours before, and to those after; at open ends both are one."""
+    """(n, 3) twice: the ways from the neighbors before, and to those after; at open ends both are one."""
     steps = np.roll(points, -1, 0) - points
     if not closed:
         steps[-1] = steps[-2]
@@ -118,7 +118,7 @@ def _lie(triples, closed):
 
 
 def _reach(triples, closed):
-    """(n,): the largest coordinate of each joint and its neighbours."""
+    """(n,): the largest coordinate of each joint and its neighbors."""
     own = np.abs(triples).max((1, 2))
     before, after = np.roll(own, 1), np.roll(own, -1)
     if not closed:
@@ -190,7 +190,7 @@ def _pairs(letters):
 def moved(triple, letters, given):
     """(a joint (3, 3), the letters of its handles) after parts of it were given places: 0 is the handle before, 1 the point,
     which takes its handles along, 2 the handle after. As in Blender: an automatic handle becomes aligned, one that points
-    to the neighbour free, and an aligned one turns with the other."""
+    to the neighbor free, and an aligned one turns with the other."""
     after = triple.copy()
     if 1 in given:
         after += given[1] - triple[1]

@@ -35,7 +35,7 @@ class Contradiction(Refusal):
     """What is to hold does not hold together."""
 
     def __init__(self):
-        super().__init__("what is to hold contradicts itself: release a joint or seam")
+        super().__init__("the locked continuities contradict each other: unlock a joint or seam")
 
 
 def require_valid(held, definition):

@@ -31,7 +31,7 @@ def made_to_hold(definition, pool, held, _led):
     rows, values = [], []
     for piece, before, after in zip(pieces, patches, (joined.first, joined.second)):
         if after.points.shape != before.points.shape or not all(map(np.array_equal, after.knots, before.knots)):
-            raise Refusal("the patches beside a seam that is to hold have other knots or degrees now: release it, and hold it anew")
+            raise Refusal("the patches at a locked seam have other knots or degrees now: unlock it, and lock it again")
         rows.append(piece.indices.ravel())
         values.append(np.dstack([after.points, after.weights]).reshape(-1, 4))
     return np.concatenate(rows), np.concatenate(values)

@@ -47,7 +47,7 @@ def around(sides, count, tolerance):
     found = [cycle for start in free for cycle in _cycles(free, ends, start)
              if {sides[i].owner for i in cycle} == set(range(count))]
     if not found:
-        raise Refusal(f"no hole of three to eight sides goes round all of them within {tolerance:.2g}: their sides do not meet")
+        raise Refusal(f"they do not surround a hole of three to eight sides within {tolerance:.2g}: their sides do not meet")
     lengths = [side.curve.length(tolerance=1e-3) for side in sides]
     return [sides[i] for i in min(found, key=lambda cycle: (len(cycle), sum(lengths[i] for i in cycle)))]
 
@@ -57,7 +57,7 @@ def of_one(pieces, continuity, is_other):
     is_other; cut at its corners, or else in four. Raises Refusal where there is none."""
     whole = [side for side in sides_of([pieces], continuity) if sections.is_closed(side.curve.to_nurbs())]
     if not whole:
-        raise Refusal("it has no closed side, and is no closed curve: select more of what goes round the hole")
+        raise Refusal("it is not a closed curve and has no closed side: select everything around the hole")
     side = sorted(whole, key=lambda side: side.curve.length(tolerance=1e-6))[-1 if is_other else 0]
     return [Side(0, curve, asked) for curve, asked in _cut(side)]
 

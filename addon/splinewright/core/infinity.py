@@ -8,9 +8,9 @@ from .failures import Refusal
 
 
 def sent(definition, rows):
-    """The definition with points of the pool sent off to infinity, each straight away from its neighbours.
+    """The definition with points of the pool sent off to infinity, each straight away from its neighbors.
 
-    Raises Refusal where a row is no point with a weight, or lies on all its neighbours.
+    Raises Refusal where a row is no point with a weight, or lies on all its neighbors.
     """
     pool = definition.pool.copy()
     for row in rows:
@@ -19,7 +19,7 @@ def sent(definition, rows):
             raise Refusal("it lies at infinity already")
         direction = definition.pool[row, :3] - _foot(definition, row)
         if not direction.any():
-            raise Refusal("a point that lies amid its neighbours has no direction to go")
+            raise Refusal("a point that lies amid its neighbors has no direction to go")
         pool[row] = *direction, 0.0
     if not pool[:, 3].any():
         raise Refusal("one point must stay")

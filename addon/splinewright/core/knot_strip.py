@@ -9,7 +9,7 @@ import numpy as np
 
 from . import describe
 
-#: A knot that is moved by the mouse keeps away from its neighbours by this part of what lies between them.
+#: A knot that is moved by the mouse keeps away from its neighbors by this part of what lies between them.
 _AWAY = 1e-3
 #: What is nearer to 0, as a part of the bar, is written as 0.
 _NOTHING = 1e-9
@@ -124,7 +124,7 @@ def why_fixed(bar, i):
     return "" if low < high else NO_ROOM
 
 
-def neighbours(bar, i):
+def neighbors(bar, i):
     """Between which parameters a knot may lie, without them."""
     low = float(bar.values[i - 1]) if i else -math.inf
     high = float(bar.values[i + 1]) if i + 1 < len(bar.values) else math.inf
@@ -132,14 +132,14 @@ def neighbours(bar, i):
 
 
 def where(bar, i):
-    """neighbours() in words."""
-    low, high = (number(bar, value) if math.isfinite(value) else "" for value in neighbours(bar, i))
+    """neighbors() in words."""
+    low, high = (number(bar, value) if math.isfinite(value) else "" for value in neighbors(bar, i))
     return f"between {low} and {high}" if low and high else f"above {low}" if low else f"below {high}"
 
 
 def reach(bar, i):
-    """From where to where the mouse moves a knot: on the bar, and not quite to its neighbours."""
-    low, high = (min(max(number, bar.span[0]), bar.span[1]) for number in neighbours(bar, i))
+    """From where to where the mouse moves a knot: on the bar, and not quite to its neighbors."""
+    low, high = (min(max(number, bar.span[0]), bar.span[1]) for number in neighbors(bar, i))
     away = _AWAY * high - _AWAY * low
     below, above = low + away, high - away
     if below <= low and i or above >= high and i + 1 < len(bar.values):
@@ -148,7 +148,7 @@ def reach(bar, i):
 
 
 def is_between(bar, i, value):
-    low, high = neighbours(bar, i)
+    low, high = neighbors(bar, i)
     return low < value < high
 
 

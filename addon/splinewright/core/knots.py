@@ -33,7 +33,7 @@ def replaced(definition, piece, axis, text):
 
 
 def moved(definition, alongs, number, to):
-    """The definition with a knot, counted from 0, moved between its neighbours; its copies go along, and the same ones
+    """The definition with a knot, counted from 0, moved between its neighbors; its copies go along, and the same ones
     of the other patches.
 
     alongs: as of core.shared_knots.together(). Raises Refusal where there is none, or it may not lie there.

@@ -1,6 +1,6 @@
 """Lengths in words, in units as Blender's scenes have them."""
 
-#: By Blender's systems of units and names of units, the largest first: the symbol, and how many metres it has.
+#: By Blender's systems of units and names of units, the largest first: the symbol, and how many meters it has.
 UNITS = {
     'METRIC': {'KILOMETERS': ("km", 1e3), 'METERS': ("m", 1.0), 'CENTIMETERS': ("cm", 1e-2), 'MILLIMETERS': ("mm", 1e-3),
                'MICROMETERS': ("µm", 1e-6)},
@@ -15,10 +15,10 @@ def unit_for(length, system, wanted, scale):
     if not units:
         return "", 1.0
     if wanted in units:
-        symbol, metres = units[wanted]
+        symbol, meters = units[wanted]
     else:
-        symbol, metres = next((unit for unit in units.values() if length * scale >= unit[1]), list(units.values())[-1])
-    return symbol, metres / scale
+        symbol, meters = next((unit for unit in units.values() if length * scale >= unit[1]), list(units.values())[-1])
+    return symbol, meters / scale
 
 
 def text(length, unit):

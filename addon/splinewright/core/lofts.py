@@ -86,9 +86,9 @@ def loft(found, start, end, is_aligned, is_matched, **options):
         if not found[at].patches:
             more.update(_leaving(inner, at, how, name))
             continue
-        neighbour = _neighbour(found[at], inner[at], how, name)
-        more[f'{name}_neighbour'] = neighbour
-        sides += [inner[at]] if _is_side_of(inner[at], neighbour) else []
+        neighbor = _neighbor(found[at], inner[at], how, name)
+        more[f'{name}_neighbor'] = neighbor
+        sides += [inner[at]] if _is_side_of(inner[at], neighbor) else []
     inner = [one for one in inner if not any(one is side for side in sides)]
     corners = 'matched' if is_matched else 'free'
     with about_items(sections=[one.number for one in inner]):
@@ -130,7 +130,7 @@ def _leaving(inner, at, end, name):
         return {}
     own, beside = inner[at], inner[1 if at == 0 else -2] if len(inner) > 1 else None
     if end.how in _ALONG_SURFACE:
-        raise Refusal(f"the {name} is to go on from a surface: take one that lies beside it in the list, too, before the first or "
+        raise Refusal(f"the {name} is to continue a surface: add one next to it to the list, before the first or "
                       "after the last curve")
     if beside is None:
         raise Refusal(f"the {name} has no section beside it to go to")
@@ -154,24 +154,24 @@ def _toward(own, beside):
     return axes[2] * (-1.0 if axes[2] @ there < 0.0 else 1.0)
 
 
-def _neighbour(surface, beside, end, name):
+def _neighbor(surface, beside, end, name):
     """As splinecore.build.loft takes it."""
     if end.how in ('normal', 'round'):
-        raise AboutInputs(f"the {name} goes on from {{}}: free, or with its tangent planes or curvatures", surface.number)
+        raise AboutInputs(f"the {name} continues {{}}: choose free, or its tangent planes or curvatures", surface.number)
     sides = _sides(surface.patches)
     if not sides:
-        raise AboutInputs("{} has no side to go on from", surface.number)
+        raise AboutInputs("{} has no open side to continue", surface.number)
     patch, side = min(sides, key=lambda pair: _gap(beside.points, sections.samples(_curve_of(pair))))
     if beside.curve is not None and sections.is_closed(beside.curve) != sections.is_closed(_curve_of((patch, side))):
         raise AboutInputs("{} and the side of {} beside it are not both closed, or both open", beside.number, surface.number)
     return (patch, side, 'G0' if end.how == 'free' else end.how, end.strength)
 
 
-def _is_side_of(one, neighbour):
+def _is_side_of(one, neighbor):
     """Whether a Section is the side that a loft goes on from, which takes its place then."""
     if one.curve is None:
         return False
-    side = _curve_of(neighbour[:2])
+    side = _curve_of(neighbor[:2])
     apart = max(side.nearest(sections.samples(one.curve)).distances.max(), one.curve.nearest(sections.samples(side)).distances.max())
     return apart <= 1e-6 * sections.size_of([one.curve])
 

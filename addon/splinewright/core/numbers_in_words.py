@@ -9,7 +9,7 @@ def numbers_of(text, noun, count=None):
     for word in text.replace(',', ' ').split():
         first, dash, last = word.partition('-')
         if not (first.isdecimal() and (last.isdecimal() if dash else not last)):
-            raise Refusal(f"\"{word}\" is no number of {noun}: such as 1, 4-6 are expected")
+            raise Refusal(f"\"{word}\" is not a number of {noun}: numbers such as 1, 4-6 are expected")
         low, high = int(first), int(last or first)
         if count is not None and not 1 <= low <= high <= count:
             of_all = noun.split()[-1]

@@ -1,4 +1,4 @@
-"""Which verbs can do nothing with a definition, whatever their settings: buttons that would be refused are grey."""
+"""Which verbs can do nothing with a definition, whatever their settings: buttons that would be refused are gray."""
 
 from . import describe
 from .creases import creases_of

@@ -7,6 +7,9 @@ from .patch_verbs import Along
 
 #: Sides as splinecore names them, and in words.
 SIDES = {'u_start': "u start", 'u_end': "u end", 'v_start': "v start", 'v_end': "v end"}
+#: (name, label, description) of each, to choose from.
+SIDE_CHOICES = (("u_start", "u Start", "Where u starts"), ("u_end", "u End", "Where u ends"),
+                ("v_start", "v Start", "Where v starts"), ("v_end", "v End", "Where v ends"))
 #: A curve whose points lie so near to each other, as a part of the size of the patch, is a point.
 _POINT = 1e-12
 

@@ -61,7 +61,7 @@ def hermite_chain(count, closed):
 
 
 def bezier_chain(count, closed):
-    """Cubics whose handles are as long as a third of the way between the neighbours, as those of Blender's own; closed
+    """Cubics whose handles are as long as a third of the way between the neighbors, as those of Blender's own; closed
     it is nearly a circle."""
     if closed:
         return hermite_chain(count, True)

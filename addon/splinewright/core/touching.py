@@ -17,7 +17,7 @@ class Circle(NamedTuple):
     """One that touches three curves."""
 
     arc: object                 # from where it touches the first through the second to the third
-    centre: np.ndarray
+    center: np.ndarray
     radius: float
     normal: np.ndarray
 
@@ -31,11 +31,11 @@ def circles(a, b, c, cancel=None):
         if cancel is not None and cancel():
             raise sc.Cancelled("the call was cancelled")
         try:
-            arc, centre, radius, _ = sc.build.touching_circle(a, b, c, near, normal)
+            arc, center, radius, _ = sc.build.touching_circle(a, b, c, near, normal)
         except sc.InvalidShape:
             continue                    # there is none from there
-        if not any(abs(radius - one.radius) + np.linalg.norm(centre - one.centre) <= _SAME * radius for one in found):
-            found.append(Circle(arc, centre, radius, normal))
+        if not any(abs(radius - one.radius) + np.linalg.norm(center - one.center) <= _SAME * radius for one in found):
+            found.append(Circle(arc, center, radius, normal))
     if not found:
         raise Refusal("no circle touches the three curves")
     return sorted(found, key=lambda one: one.radius)

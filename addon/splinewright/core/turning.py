@@ -126,9 +126,9 @@ def _onto_circle(form, line):
     values = np.linalg.eigvalsh(inner[1:, 1:])
     if not values[0] > _ROUNDING * np.abs(inner).max():
         return None
-    centre = -np.linalg.solve(inner[1:, 1:], inner[1:, 0])
-    square = centre @ inner[1:, 1:] @ centre - inner[0, 0]
+    center = -np.linalg.solve(inner[1:, 1:], inner[1:, 0])
+    square = center @ inner[1:, 1:] @ center - inner[0, 0]
     if not square > _ROUNDING * np.abs(inner).max():
         return None
     to_circle = np.linalg.cholesky(inner[1:, 1:]).T / math.sqrt(square)
-    return np.vstack([[1.0, 0.0, 0.0], np.column_stack([-to_circle @ centre, to_circle])]) @ basis
+    return np.vstack([[1.0, 0.0, 0.0], np.column_stack([-to_circle @ center, to_circle])]) @ basis

@@ -69,12 +69,12 @@ def _across(face, other, corners, first, second):
     """Places of the corners of the face on the other side of an edge."""
     found = {first: corners[first], second: corners[second]}
     for vertex, end in ((first, second), (second, first)):
-        behind, ahead = (_neighbour(each, vertex, end) for each in (face, other))
+        behind, ahead = (_neighbor(each, vertex, end) for each in (face, other))
         found[ahead] = tuple(2 * at - back for at, back in zip(corners[vertex], corners[behind]))
     return found
 
 
-def _neighbour(face, vertex, not_this):
+def _neighbor(face, vertex, not_this):
     i = face.index(vertex)
     return next(each for each in (face[i - 1], face[(i + 1) % 4]) if each != not_this)
 

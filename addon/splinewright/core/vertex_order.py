@@ -10,26 +10,26 @@ def in_order(vertices, edges, history):
     vertices: indices; edges: pairs of them; history: indices as they were chosen, which may be few of them or none.
     Raises Refusal where neither tells an order.
     """
-    neighbours = {vertex: [] for vertex in vertices}
+    neighbors = {vertex: [] for vertex in vertices}
     for first, second in edges:
-        neighbours[first].append(second)
-        neighbours[second].append(first)
-    if all(1 <= len(of_one) <= 2 for of_one in neighbours.values()):
-        return _connected(neighbours)
-    if neighbours.keys() <= set(history):
-        return [([vertex for vertex in dict.fromkeys(history) if vertex in neighbours], False)]
+        neighbors[first].append(second)
+        neighbors[second].append(first)
+    if all(1 <= len(of_one) <= 2 for of_one in neighbors.values()):
+        return _connected(neighbors)
+    if neighbors.keys() <= set(history):
+        return [([vertex for vertex in dict.fromkeys(history) if vertex in neighbors], False)]
     raise Refusal("the order of the vertices is not known: select them one after another, or along edges")
 
 
-def _connected(neighbours):
-    waiting = dict.fromkeys(sorted(neighbours, key=lambda vertex: (len(neighbours[vertex]), vertex)))   # ends come first
+def _connected(neighbors):
+    waiting = dict.fromkeys(sorted(neighbors, key=lambda vertex: (len(neighbors[vertex]), vertex)))   # ends come first
     found = []
     while waiting:
         vertex = next(iter(waiting))
-        chain, closed = [], len(neighbours[vertex]) == 2
+        chain, closed = [], len(neighbors[vertex]) == 2
         while vertex is not None:
             chain.append(vertex)
             del waiting[vertex]
-            vertex = next((other for other in neighbours[vertex] if other in waiting), None)
+            vertex = next((other for other in neighbors[vertex] if other in waiting), None)
         found.append((chain, closed))
     return found

@@ -8,7 +8,7 @@ from ..bridge import placing, recipes, shape
 from ..bridge.file_state import state
 from ..core.failures import FAILURES
 from ..core.recipes.surface_recipes import axis_of
-from . import strokes
+from . import overlaid, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.9)
 _WIDTH = 1.5
@@ -20,9 +20,13 @@ _BEYOND = 0.15
 
 def line_of(ob):
     """(2, 3): the ends of the axis in the world, or None where an object is no surface of revolution that is seen."""
-    if ob is None or ob.mode != 'OBJECT' or not ob.visible_get() or not shape.has_shape(ob):
+    if ob is None or ob.mode != 'OBJECT' or not ob.visible_get():
         return None
-    if recipes.kind(ob.data) != 'revolve':
+    return overlaid.kept('axis', ob, _line_of)
+
+
+def _line_of(ob):
+    if not shape.has_shape(ob) or recipes.kind(ob.data) != 'revolve':
         return None
     try:
         stored = recipes.read(ob.data)
@@ -51,7 +55,8 @@ def _axis(stored, ob):
 def draw():
     """Called by Blender for each 3D view."""
     line = line_of(bpy.context.object) if bpy.context.space_data.overlay.show_overlays else None
-    seen = [] if line is None else [strokes.lines(line[None], lambda: _COLOR, _WIDTH)]
+    seen = [] if line is None else [overlaid.kept('axis drawn', bpy.context.object,
+                                                  lambda _: strokes.lines(line[None], lambda: _COLOR, _WIDTH))]
     if state.edge is not None:
         seen.append(strokes.lines(np.array(state.edge[1:])[None], lambda: _COLOR, _PICKED))
     if not seen:

@@ -6,8 +6,7 @@ import bpy
 
 from ..bridge import held, replacing, store, surveys
 from ..bridge.net import live, net_object
-from ..core import continuity, held_joints, parameters
-from ..core.held import can_hold, why_not
+from ..core import continuity, held_joints
 from . import colors, hand, texts
 from .sub_panel import ClosedPanel
 
@@ -61,24 +60,23 @@ class _Locks:
     """Of the joints or seams of a shape: whether they hold, or may."""
 
     def __init__(self, layout, data):
-        self._definition, self._pieces = store.read(data), surveys.pieces_of(data)
-        self._of = "joint" if self._definition.has_curves else "seam"
+        self._ways = surveys.ways_of(data)
+        self._of = "joint" if store.read(data).has_curves else "seam"
         try:
             self._known = {frozenset((one.first, one.second)): one for one in held.read(data)}
         except store.UnreadableDefinition as error:
             texts.draw_problem(layout, str(error))
             layout.operator(f"splinewright.release_{self._of}", text="Release All")
             self._known = {}
-        self._can_change = replacing.can_change(data)
+        self._can_change = replacing.seems_changeable(data)
         self.reasons = []               # why some may not, each once
 
     def holds(self, joint):
         """What holds there, or None."""
         return self._known.get(frozenset(joint.sides)) if joint.sides else None
 
-    def _draw_way(self, layout, first, second):
+    def _draw_way(self, layout, first, second, reason):
         """Keep in words why a joint may not hold, and of two edges that lie on each other draw the button that makes them one."""
-        reason = why_not(self._definition, first, second)
         if reason and reason not in self.reasons:
             self.reasons.append(reason)
         if not reason or first[0] == second[0]:
@@ -94,9 +92,9 @@ class _Locks:
         """Its button, if it may hold; else what helps."""
         if not joint.sides:             # a crease inside a patch
             return
-        (first, second), holds = joint.sides, self.holds(joint)
-        if not holds and not can_hold(self._definition, first, second):
-            self._draw_way(layout, first, second)
+        (first, second), holds, way = joint.sides, self.holds(joint), self._ways[joint.sides]
+        if not holds and not way.is_open:
+            self._draw_way(layout, first, second, way.why_not)
             return
         layout = layout.row()
         layout.enabled = self._can_change
@@ -108,7 +106,7 @@ class _Locks:
         elif first[1] in held_joints.ENDS:
             operator.first_end, operator.second_end = first[1], second[1]
         else:
-            operator.knot = parameters.inner_knots(self._pieces[first[0]]).tolist().index(first[1]) + 1
+            operator.knot = way.knot
 
 
 def _draw_joints(layout, survey, locks):

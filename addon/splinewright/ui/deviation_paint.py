@@ -1,4 +1,4 @@
-"""Colours by the distance of shapes from another object, on surfaces and along curves, and their legend."""
+"""Colors by the distance of shapes from another object, on surfaces and along curves, and their legend."""
 
 from typing import NamedTuple
 
@@ -26,7 +26,7 @@ class Shown(NamedTuple):
 
     obs: list                           # [(object, its core.sights.deviations.Deviation)]
     words: str                          # of bridge.deviation_targets
-    reach: float                        # the distance that has the last colour
+    reach: float                        # the distance that has the last color
     share: float                        # how much is measured in the end, of 1
 
 
@@ -137,4 +137,4 @@ def _lines(data, deviation, reach):
     parts = deviation.values.ravel() / reach if reach > 0.0 else np.zeros(deviation.values.size)
     shades = np.append(surface_shader.colors_at(2.0 * parts - 1.0, surface_shader.DISTANCES), np.ones((parts.size, 1)), 1)
     is_known = np.isfinite(parts.reshape(-1, 2)).all(1)
-    return strokes.coloured(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)
+    return strokes.colored(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)

@@ -19,12 +19,12 @@ def why_not(ob):
     if ob.library or ob.data.library or ob.data.override_library:
         return "The shape is linked from another file: make it local first"
     if recipes.follows(ob.data):
-        return "The shape follows another object: edit that, or use Make Editable first"
+        return "The shape follows another object: edit that, or use Apply Construction first"
     try:
         is_of_numbers = recipes.has(ob.data) and not recipes.has_points(ob.data)
     except store.UnreadableDefinition as error:
         return str(error)
-    return "The shape is made by its numbers: change them in the panel, or use Make Editable first" if is_of_numbers else ""
+    return "The shape is made by its numbers: change them in the panel, or use Apply Construction first" if is_of_numbers else ""
 
 
 def nets():
@@ -112,7 +112,7 @@ def enter(context, active, progress=shape.no_progress):
     if put_out[0].mode != 'EDIT':
         for ob in made:
             put_away(context, ob)
-        raise Refusal(f"{active.name} is not in the view layer at hand: its net cannot be edited from here")
+        raise Refusal(f"{active.name} is not in the current view layer: its net cannot be edited from here")
     for ob in put_out:
         if ob not in made:
             live.pull(ob)
@@ -162,8 +162,8 @@ def _is_left_behind(ob, space):
 def _brought_back(context, held):
     """A net that was kept, where it can be edited."""
     if not _is_in(context.view_layer, held):
-        raise Refusal(f"{held.name} holds changes that its shape has not taken, and is not in the view layer at hand: "
-                      "go on with it where it is, or delete it")
+        raise Refusal(f"{held.name} holds changes that its shape has not taken, and is not in the current view layer: "
+                      "continue where it is, or delete it")
     held.hide_viewport = False
     held.hide_set(False)
     return held
@@ -309,7 +309,7 @@ def end():
         bpy.ops.object.mode_set(mode='OBJECT')
         sweep()
         # Without a step of its own undo would look for the net's points, and Blender 3.4 crash.
-        bpy.ops.ed.undo_push(message="Leave Net")
+        bpy.ops.ed.undo_push(message="Finish Editing")
     sweep()
     for ob in nets():
         if ob.mode == 'EDIT':           # in another scene

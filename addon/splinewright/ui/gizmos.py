@@ -8,60 +8,76 @@ from mathutils import Matrix, Vector
 from ..bridge import sights
 from ..bridge.file_state import state
 from ..bridge.net import live, weighing
-from . import aim_overlay, editing, hand, hints, keymaps, knot_strip, numbers_overlay, toolbar
-from .operators import at_sides, insert_here, move_knot, weight_here
+from . import aim_overlay, editing, hand, hints, keymaps, knot_strip, measure_overlay, numbers_overlay, toolbar
+from .operators import at_sides, curve_here, insert_here, measure_here, move_knot, weight_here
 
 _DIAL = 0.28
 
 
-def _knot(context, x, y, direction, dimensions=(1, 2)):
+def _knot(context, x, y, settings, known, dimensions=(1, 2)):
+    direction = getattr(settings, 'direction', 'U')
     return insert_here.aimed_by_tool(context, x, y, direction, dimensions=dimensions)
 
 
-def _isocurve(context, x, y, direction):
-    return _knot(context, x, y, direction, (2,))
+def _isocurve(*arguments):
+    return _knot(*arguments, dimensions=(2,))
 
 
-def _place_on_curve(context, x, y, direction):
-    return _knot(context, x, y, direction, (1,))
+def _place_on_curve(*arguments):
+    return _knot(*arguments, dimensions=(1,))
 
 
-def _side(context, x, y, _):
+def _with_line(operator):
+    """What the click of an operator on a curve would take or add."""
+    def find(context, x, y, settings, known):
+        aimed = _place_on_curve(context, x, y, settings, known)
+        return aimed and operator.with_line(context, aimed, settings.meet, known)
+    return find
+
+
+def _side(context, x, y, *_):
     found = at_sides.side_at(context, x, y, at_sides.patches_of(context.selected_objects))
     return found and ((found[0].name, *found[1:]),)
 
 
-#: For tools with such a preview: what is found at a pixel of the window, and how that is drawn.
-_PREVIEWS = {'knot': (_knot, aim_overlay.show), 'isocurve': (_isocurve, aim_overlay.show),
-             'curve': (_place_on_curve, aim_overlay.show), 'side': (_side, numbers_overlay.show_sides)}
+def _measured(context, x, y, *_):
+    return measure_here.measured_at(context, x, y)[1]
+
+
+#: For tools with such a preview: what is found at a pixel of the window, and how that is drawn. The last argument keeps what was
+#: found, until something changes.
+_PREVIEWS = {'knot': (_knot, aim_overlay.show), 'isocurve': (_isocurve, aim_overlay.show), 'curve': (_place_on_curve, aim_overlay.show),
+             'trim': (_with_line(curve_here.SPLINEWRIGHT_OT_trim_here), aim_overlay.show),
+             'extend': (_with_line(curve_here.SPLINEWRIGHT_OT_extend_here), aim_overlay.show),
+             'side': (_side, numbers_overlay.show_sides), 'measure': (_measured, measure_overlay.show_all)}
 
 
 class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
     """What a click of a tool would take, at the mouse. It is never hit: clicks are the tool's."""
 
     bl_idname = "SPLINEWRIGHT_GT_aim"
-    __slots__ = ('aim',)
+    __slots__ = ('aim', 'known')
 
     def setup(self):
-        self.aim = None
+        self.aim, self.known = None, {}
 
     def test_select(self, context, location):
         tool = toolbar.active(context)
         if tool is None or not tool.preview:
             return -1
         x, y = context.region.x + location[0], context.region.y + location[1]
-        direction = getattr(toolbar.settings(context, tool), 'direction', 'U')
-        found = _PREVIEWS[tool.preview][0](context, x, y, direction)
+        found = _PREVIEWS[tool.preview][0](context, x, y, toolbar.settings(context, tool), self.known)
         aim = (tool.preview, found) if found else None
-        if aim != self.aim:
+        if aim or self.aim:
             self.aim = aim
             context.area.tag_redraw()
         return -1
 
     def draw(self, context):
         tool = toolbar.active(context)
-        if self.aim and tool and tool.preview == self.aim[0] and not (state.aimed or state.sides):   # which others draw
-            _PREVIEWS[self.aim[0]][1](self.aim[1])
+        is_drawn_by_others = state.is_pointing or state.aimed or state.sides
+        if self.aim and tool and tool.preview == self.aim[0] and not is_drawn_by_others:
+            _PREVIEWS[tool.preview][1](self.aim[1])
 
 
 class SPLINEWRIGHT_GGT_aim(bpy.types.GizmoGroup):
@@ -78,6 +94,9 @@ class SPLINEWRIGHT_GGT_aim(bpy.types.GizmoGroup):
 
     def setup(self, context):
         self.gizmos.new(SPLINEWRIGHT_GT_aim.bl_idname)
+
+    def refresh(self, context):
+        self.gizmos[0].known.clear()
 
 
 class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):

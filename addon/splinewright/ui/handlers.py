@@ -18,6 +18,7 @@ def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
     if not errands.is_main_thread():
         return                          # of a render: frame_changed() sees to that
+    state.overlaid.clear()
     occasion = dragging.occasion(depsgraph.updates) if state.nets else None
     if state.drag and dragging.goes_on(occasion):
         timers.later(editing.settle, _SETTLE)
@@ -77,7 +78,7 @@ def _keep_frame():
 def undone(*_):
     """After undo and redo every object is another."""
     _put_back_after_failure()
-    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets):
+    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets, state.overlaid):
         known.clear()
     state.drag = None
     state.handed = state.began = ended_operators()
@@ -128,6 +129,7 @@ def frame_changed(scene, depsgraph):
     if state.targets and errands.is_main_thread():
         deviation_targets.look_again(depsgraph.updates)
     changed = _changed_blocks(depsgraph.updates)
+    state.overlaid.clear()
     if len(bpy.app.handlers.frame_change_post) > 1:
         _evaluate(depsgraph)
     if not state.is_scanned or state.followers or any(map(keyed.is_shape, changed)):
@@ -228,6 +230,8 @@ def _look_again(updates):
             look_again(block)
             if update.is_updated_geometry or update.is_updated_transform:
                 state.touched.pop(key(block), None)
+            else:
+                follow.look_again(block)
 
 
 def _changed_blocks(updates):

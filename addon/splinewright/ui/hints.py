@@ -11,7 +11,7 @@ _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'M
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
 _WORDS = {"splinewright.leave_net": "Done", "splinewright.insert_here": "Insert Knot",
           "splinewright.pull_here": "Pull Shape", "splinewright.radius_here": "Radius", "splinewright.tilt_here": "Tilt",
-          "splinewright.key_points": "Key Points",
+          "splinewright.key_points": "Insert Point Keyframes",
           "splinewright.pie": "Pie Menu"}
 #: Of what is told by Blender's message bus.
 _owner = object()
@@ -70,7 +70,7 @@ def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
         return True
-    return bool(state.aimed or state.pulled or state.weighing or state.picking or state.rounding or state.moved_knot or state.measured)
+    return bool(state.is_pointing or state.drawn_stroke or state.contour or state.aimed or state.pulled or state.weighing or state.picking or state.rounding or state.moved_knot or state.measured)
 
 
 def _icons(item):

@@ -172,7 +172,7 @@ def _number(data, net):
     """Of the piece in hand; what points of a net say of it is kept until that changes."""
     if net is None:
         return settings.of(data).piece
-    return sights.kept(net.data, 'piece in hand', (settings.of(data).piece,), lambda *_: hand.chosen(data, net)) or 0
+    return sights.kept(net.data, 'active piece', (settings.of(data).piece,), lambda *_: hand.chosen(data, net)) or 0
 
 
 def _boxes(context, count, scale):

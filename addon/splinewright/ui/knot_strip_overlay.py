@@ -182,7 +182,7 @@ def _name(found, axis, color):
 
 
 def _batch(quads):
-    """Of (left, bottom, right, top, colour)."""
+    """Of (left, bottom, right, top, color)."""
     corners = [corner for left, bottom, right, top, _ in quads
                for corner in ((left, bottom, 0), (right, bottom, 0), (right, top, 0), (left, top, 0))]
     of_corners = [color for *_, color in quads for _ in range(4)]

@@ -1,4 +1,4 @@
-"""The legend of colours on shapes, at the lower right of the view: a bar of them and the numbers they stand for."""
+"""The legend of colors on shapes, at the lower right of the view: a bar of them and the numbers they stand for."""
 
 from functools import cache
 

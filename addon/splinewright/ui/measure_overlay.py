@@ -3,7 +3,9 @@
 from typing import NamedTuple
 
 import bpy
+import gpu
 import numpy as np
+from mathutils import Matrix
 
 from ..bridge.file_state import state
 from ..core import measured
@@ -11,7 +13,7 @@ from . import colors, messages, mouse_words, picking, strokes
 
 #: Of an arm, in pixels of an interface that is not scaled.
 _ARM = 70
-#: Of the point, where there is no other colour for it.
+#: Of the point, where there is no other color for it.
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 
 
@@ -27,9 +29,31 @@ class Measured(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    if state.measured is None or state.measured.place is None:
+    if state.measured is not None:
+        _show_arms(state.measured)
+
+
+def draw_words():
+    """Called by Blender for each 3D view."""
+    if state.measured is not None:
+        _show_words(state.measured)
+
+
+def show_all(shown):
+    """Draw a Measured into the 3D view at hand, arms and words."""
+    _show_arms(shown)
+    region = bpy.context.region
+    scale = Matrix.Diagonal((2 / region.width, 2 / region.height, 1, 1))
+    with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+        gpu.matrix.load_identity()
+        gpu.matrix.load_projection_matrix(Matrix.Translation((-1, -1, 0)) @ scale)
+        _show_words(shown)
+
+
+def _show_arms(shown):
+    if shown.place is None:
         return
-    point, arms, _ = state.measured.place
+    point, arms, _ = shown.place
     pixel = picking.size_of_pixel(bpy.context.region, bpy.context.region_data, point)
     reach = _ARM * bpy.context.preferences.system.ui_scale * pixel
     strokes.draw([*(strokes.lines(np.array([[point, point + reach * arm]]), lambda color=color: color, 2.5)
@@ -37,8 +61,6 @@ def draw():
                   strokes.points(point[None], lambda: _COLOR, lambda: 10)])
 
 
-def draw_words():
-    """Called by Blender for each 3D view."""
-    shown = state.measured
-    if shown is not None and shown.region == bpy.context.region.as_pointer():
+def _show_words(shown):
+    if shown.region == bpy.context.region.as_pointer():
         mouse_words.draw(shown.x, shown.y, shown.words, messages.NOTE if shown.place else messages.WARNING)

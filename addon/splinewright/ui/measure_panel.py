@@ -29,7 +29,7 @@ class _Measuring(ClosedPanel):
             definition = store.read(ob.data)
             is_edited = net_object.is_net(context.object)
             if is_edited and len(definition.pool) > _MOST_WHILE_EDITED:
-                texts.draw_note(self.layout, "So many points are measured when the net is left")
+                texts.draw_note(self.layout, "This many points are measured after editing")
                 return
             matrix, seconds = np.array(ob.matrix_world, dtype=np.float64), _SOON_WHILE_EDITED if is_edited else _SOON
             self.draw_measured(self.layout, ob.data, matrix, definition, seconds)

@@ -7,7 +7,7 @@ from . import editing, hand, kinds, menu_table, offered
 
 
 def _draw_menu(layout, menu, context):
-    """What of a menu concerns what is selected, or all of it where nothing of ours is; what would be refused is grey."""
+    """What of a menu concerns what is selected, or all of it where nothing of ours is; what would be refused is gray."""
     layout.operator_context = 'INVOKE_REGION_WIN'
     drawn, is_parted = 0, False
     for entry in menu.entries:
@@ -25,7 +25,7 @@ def _draw_entry(layout, entry, context):
         layout.menu(entry.idname, icon=entry.icon)
         return
     row = layout.row()
-    row.enabled = not offered.is_grey(entry, hand.shapes(context))
+    row.enabled = not offered.is_gray(entry, hand.shapes(context))
     button = row.operator(f"splinewright.{entry.operator}", text=entry.text or offered.text_of(entry.operator), icon=entry.icon)
     for name, value in entry.settings:
         setattr(button, name, value)
@@ -108,7 +108,7 @@ def _draw_convert(self, context):
     if kinds.INEXACT & found:
         self.layout.operator("splinewright.make_exact", text="NURBS Shape (Exact)")
     if any(map(read_polygons.is_mesh, context.selected_objects)):
-        self.layout.operator("splinewright.add_of_mesh", text="NURBS of Mesh")
+        self.layout.operator("splinewright.add_of_mesh", text="NURBS from Mesh")
     if found & kinds.SHAPES:
         self.layout.operator("splinewright.to_native", text="Blender Curve/Surface from NURBS")
 

@@ -18,7 +18,7 @@ _SIZE, _LINE, _MARGIN = 13, 19, 12
 
 
 def said(layer):
-    """[(sentence, colour)] for a view layer."""
+    """[(sentence, color)] for a view layer."""
     found = []
     for ob in editing.nets() if state.nets else ():
         if ob.visible_get(view_layer=layer) or layer.objects.get(ob.name) == ob:     # to look for a name takes long
@@ -28,7 +28,7 @@ def said(layer):
 
 def _of_result(ob):
     if ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob):
-        yield f"{ob.name}: this is the result, not the net: what is changed here is changed by hand", WARNING
+        yield f"{ob.name}: this is the generated mesh, not the net: changes here count as made by hand", WARNING
         yield "Back to the Net, Restore and Detach are in the sidebar; Tab leaves", NOTE
 
 
@@ -38,7 +38,7 @@ def _of_edited(ob):
     problem, note, saved = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
     if problem:
         yield f"{name}: {problem}", WARNING
-        yield f"{undo_key()} takes it back, Renew Net puts the net out again from the shape as it is", NOTE
+        yield f"{undo_key()} takes it back, Reload Control Points puts the net out again from the shape as it is", NOTE
     elif note:
         yield f"{name}: {note}", NOTE
     if problem and saved:
@@ -49,7 +49,7 @@ def _of_kept(ob):
     problem = live.problem(ob)
     if problem and net_object.shape_of(ob):
         yield f"{ob.name} holds changes that {net_object.shape_of(ob).name} has not taken: {problem}", WARNING
-        yield f"Tab on {ob.name} goes on with it, who deletes it drops them", NOTE
+        yield f"Tab on {ob.name} continues with it; deleting it drops them", NOTE
 
 
 def undo_key():

@@ -44,9 +44,9 @@ def draw_state(layout, ob):
         return
     if ob.mode == 'EDIT':
         layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
-        layout.prop(sights.of(bpy.context.scene), "points_behind", text="Show Points Behind")
+        layout.prop(sights.of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
     else:
-        layout.operator("splinewright.edit_net", text=f"Go on with {texts.short(owner.name)}", icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=f"Continue with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)

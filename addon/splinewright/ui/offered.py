@@ -1,12 +1,10 @@
-"""What of our operators is offered: which are grey as all selected shapes would refuse them, and what a button of each says."""
+"""What of our operators is offered: which are gray as all selected shapes would refuse them, and what a button of each says."""
 
 import bpy
 
 from ..bridge import recipes, shape, store, surveys
 from . import hand, kinds
 
-#: What buttons leave out of an operator's label, which Undo History shows, too.
-_LEFT_OUT = ("Add ",)
 #: With two shapes selected they take a piece of each.
 _JOINS = {'join_ends', 'join_patches'}
 
@@ -14,9 +12,9 @@ _JOINS = {'join_ends', 'join_patches'}
 def why_not(data):
     """Why nothing can be done to a shape, or ""."""
     if recipes.follows(data):
-        return "It follows another object: Make Editable ends that"
+        return "It follows another object: Apply Construction ends that"
     if recipes.has(data):
-        return "It is made by its numbers: Make Editable ends that"
+        return "It is made by its numbers: Apply Construction ends that"
     if shape.seems_touched(data):
         return "It was changed by hand: Restore or Detach comes first"
     return ""
@@ -31,7 +29,7 @@ _REFUSING = {
     **dict.fromkeys(('edit_net', 'to_native', 'bake_animation'), shape.seems_touched)}
 
 
-def is_grey(entry, obs):
+def is_gray(entry, obs):
     """Whether every shape among objects that an entry of ui.menu_table concerns would refuse it."""
     if not (entry.changes or entry.operator in _REFUSING):
         return False
@@ -57,11 +55,9 @@ def works_on_nets(name):
 
 
 def text_of(name):
-    """What a button of an operator says."""
-    label = _class_of(name).bl_label
-    for words in _LEFT_OUT:
-        label = label.removeprefix(words)
-    return label
+    """What a button of an operator says: in menus to add there is no "Add", which Undo History shows."""
+    kind = _class_of(name)
+    return getattr(kind, 'button', kind.bl_label)
 
 
 def _class_of(name):

@@ -1,4 +1,4 @@
-"""Over the 3D view: the rows of a cage in two colours, its points, and arrows for directions at infinity."""
+"""Over the 3D view: the rows of a cage in two colors, its points, and arrows for directions at infinity."""
 
 from typing import NamedTuple
 
@@ -80,7 +80,7 @@ def _of_selection(ob, current):
         edges = [strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
                  for pairs in net.lines]
     else:
-        are_there = are_there & net.are_points          # handles have colours of their own
+        are_there = are_there & net.are_points          # handles have colors of their own
     return edges, [
         strokes.points(points[are_there & ~selected], colors.of_points, lambda: _theme().vertex_size + 2),
         strokes.points(points[are_there & selected], lambda: (*_theme().vertex_select, 1.0),

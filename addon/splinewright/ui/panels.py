@@ -2,9 +2,8 @@
 
 import bpy
 
-from ..bridge import baking, recipes, shape, store
+from ..bridge import baking, recipes, shape, store, surveys
 from ..bridge.net import net_object
-from ..core import describe
 from . import construction_panel, manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
 from .sub_panel import SidePanel
@@ -63,7 +62,7 @@ def _draw_state(layout, ob):
         edit_linked.draw_button(layout.row())
         return
     if ob.mode == 'EDIT':
-        texts.draw_problem(layout, "This is the result, not the net: what is changed here is changed by hand")
+        texts.draw_problem(layout, "This is the generated mesh, not the net: changes here count as made by hand")
         column = layout.column(align=True)
         for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
             column.operator("splinewright.leave_result", text=text).how = how
@@ -79,9 +78,9 @@ def _draw_state(layout, ob):
         layout.operator("splinewright.edit_net", icon='EDITMODE_HLT')
 
 
-def _draw_definition(layout, definition):
+def _draw_definition(layout, data):
     column = layout.column(align=True)
-    for label, text in describe.lines(definition):
+    for label, text in surveys.described(data):
         row = column.split(factor=0.3)
         row.label(text=label)
         lines = row.column(align=True)
@@ -95,9 +94,9 @@ class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):
     bl_order = 1
 
     @staticmethod
-    def draw_shape(layout, _context, _data, ob, definition):
+    def draw_shape(layout, _context, data, ob, _definition):
         _draw_state(layout, ob)
-        _draw_definition(layout, definition)
+        _draw_definition(layout, data)
 
 
 class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
@@ -124,7 +123,7 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
                 construction_panel.draw(layout, ob)
         else:
             _draw_pinned(layout, data)
-        _draw_definition(layout, definition)
+        _draw_definition(layout, data)
         layout.separator()
         settings_panel.draw(layout, data, definition, has_buttons=is_active)
 

@@ -21,7 +21,7 @@ class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
         names = _CURVE if isinstance(context.object.data, bpy.types.Curve) else _PATCH
         for name in names:
             row = pie.row()
-            row.enabled = not offered.is_grey(menu_table.entry_of(name), hand.shapes(context))
+            row.enabled = not offered.is_gray(menu_table.entry_of(name), hand.shapes(context))
             row.operator(f"splinewright.{name}", text=offered.text_of(name), icon=_ICONS.get(name, 'NONE'))
 
 

@@ -37,7 +37,7 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
         except store.UnreadableDefinition:
             return                      # the panel above says it
         if not names:
-            self.layout.label(text="None in hand" if len(of_item) else "None")
+            self.layout.label(text="None selected" if len(of_item) else "None")
         for i, name in list(names.items())[:_MOST]:
             _draw_point(self.layout, point_keys.of(data)[i], name, has_weight[of_item[i]])
         if len(names) > _MOST:

@@ -33,11 +33,10 @@ class SplinewrightKeyedPoint(bpy.types.PropertyGroup):
     row: IntProperty(name="Point", description="Its number among the points of the shape; -1 for one that is gone",
                      default=point_keys.GONE, options={'HIDDEN'})
     stage: IntProperty(options={'HIDDEN'})
-    place: FloatVectorProperty(name="Place", description="Where the control point lies; of a tangent or a direction at "
-                               "infinity its vector. Keys and drivers on it move the shape", subtype='XYZ', unit='LENGTH',
+    place: FloatVectorProperty(name="Place", description="Location of the control point, or vector of a tangent or direction "
+                                                         "at infinity, for keys and drivers", subtype='XYZ', unit='LENGTH',
                                precision=5, update=_changed)
-    weight: FloatProperty(name="Weight", description="The weight of the control point, not 0. Keys and drivers on it change "
-                          "the shape", default=1.0, precision=5, step=10, update=_changed)
+    weight: FloatProperty(name="Weight", description="Weight of the control point, not 0, for keys and drivers", default=1.0, precision=5, step=10, update=_changed)
 
 
 CLASSES = (SplinewrightKeyedPoint,)

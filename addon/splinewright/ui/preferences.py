@@ -43,8 +43,8 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
     bl_idname = _NAME
 
     use_theme: BoolProperty(
-        name="Nets in the Theme's Colours",
-        description="Rows of nets are coloured as the theme colours active lines of Blender's own surfaces", default=True)
+        name="Nets in the Theme's Colors",
+        description="Rows of nets are colored as the theme colors active lines of Blender's own surfaces", default=True)
     color_u: _color("Along U", (0.95, 0.78, 0.1), "Rows of nets along u")
     color_v: _color("Along V", (0.9, 0.25, 0.75), "Rows of nets along v")
     color_arrow: _color("At Infinity", (0.2, 0.9, 0.95), "Arrows to control points at infinity")
@@ -54,7 +54,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
     color_g2: _color("G2", (0.0, 0.65, 0.25), "Seams where curvatures agree")
 
     show_hints: BoolProperty(
-        name="Keys in the Status Bar", description="While a net is edited, say in the status bar which keys do what there",
+        name="Keys in the Status Bar", description="Show in the status bar which keys work while a net is edited",
         default=True, update=_redraw_status_bar)
 
     curve_resolution: _steps("Resolution of Curves", "a new curve")
@@ -75,7 +75,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
         self._draw_new_shapes(_section(layout, "New Shapes"))
         _section(layout, "Nets").prop(self, "show_hints")
         _draw_keys(layout, context)
-        self._draw_colors(_section(layout, "Colours"), context)
+        self._draw_colors(_section(layout, "Colors"), context)
 
     def _draw_new_shapes(self, column):
         column.prop(self, "curve_resolution")

@@ -169,7 +169,7 @@ def draw(layout, data, is_net_out=False):
     if recipe.has_more:
         inputs_list.draw(layout, data, recipe)
     if stored.error:
-        texts.draw_note(layout, f"Within {stored.error:.1e} of what is asked for")
+        texts.draw_note(layout, f"Within {stored.error:.1e} of the exact result")
     if stored.said:
         texts.draw_note(layout, stored.said)
     if stored.warning:

@@ -76,7 +76,7 @@ def after(*_):
 
 
 def _where(ob):
-    return f"the file has that in {ob.name}, as an object: Tab on it will go on"
+    return f"the file has that in {ob.name}, as an object: Tab on it continues"
 
 
 @persistent

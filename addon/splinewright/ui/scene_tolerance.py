@@ -10,11 +10,11 @@ from . import texts
 
 class SplinewrightTolerance(bpy.types.PropertyGroup):
     by: EnumProperty(
-        name="Tolerance", description="How near new curves and surfaces come to what is asked for, where no tolerance is typed",
+        name="Tolerance", description="Default tolerance of new curves and surfaces",
         items=((AUTOMATIC, "Automatic", "A power of ten that suits the size of the largest curve or surface"),
                (OWN, "Custom", "A length that is typed")), default=AUTOMATIC, options=set())
     own: FloatProperty(
-        name="Tolerance", description="How near new curves and surfaces come to what is asked for, where no tolerance is typed",
+        name="Tolerance", description="Default tolerance of new curves and surfaces",
         default=1e-4, min=1e-9, soft_max=1.0, precision=6, step=0.01, unit='LENGTH', options=set())
 
 

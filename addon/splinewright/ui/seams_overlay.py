@@ -1,4 +1,4 @@
-"""The seams of the patch shape in hand, coloured along them by how smoothly the surface goes on."""
+"""The seams of the patch shape in hand, colored along them by how smoothly the surface goes on."""
 
 import bpy
 import gpu
@@ -37,17 +37,17 @@ def draw():
 def _strokes(data, *_):
     """Those of the seams of a Mesh, with a rim that tells them from all other lines."""
     pairs, shades = [lines.NONE], [np.empty((0, 2, 4))]
-    for points, of_points in coloured_lines(data):
+    for points, of_points in colored_lines(data):
         ends = np.stack([points[:-1], points[1:]], 1)
         is_whole = np.isfinite(ends).all((1, 2))
         pairs.append(ends[is_whole])
         shades.append(np.stack([of_points[:-1], of_points[1:]], 1)[is_whole])
     pairs, shades = np.concatenate(pairs), np.concatenate(shades)
-    return [strokes.lines(pairs, lambda: colors.SEAM_RIM, _WIDTH + 2 * _RIM), strokes.coloured(pairs, shades, _WIDTH)]
+    return [strokes.lines(pairs, lambda: colors.SEAM_RIM, _WIDTH + 2 * _RIM), strokes.colored(pairs, shades, _WIDTH)]
 
 
-def coloured_lines(data):
-    """[(points (n, 3), colours (n, 4))] of the seams of a Mesh, and of the creases inside its patches."""
+def colored_lines(data):
+    """[(points (n, 3), colors (n, 4))] of the seams of a Mesh, and of the creases inside its patches."""
     found, of_class = [], colors.of_seams()
     measured, size = surveys.seams_of(data)
     for line in measured:

@@ -8,11 +8,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import placing, recipes, shape, store, surveys
+from ..bridge import placing, recipes, shape, surveys
 from ..bridge.file_state import state
-from ..core import sections, verbs
 from ..core.failures import FAILURES
-from . import numbers_overlay, picking, strokes
+from . import numbers_overlay, overlaid, picking, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)
 _SIZE = 15.0
@@ -30,20 +29,45 @@ class Section(NamedTuple):
     head: np.ndarray                    # (3,): a part of a curve further; the same of a surface
 
 
+class _Seen(NamedTuple):
+    """What is drawn of an object."""
+
+    sections: list
+    are_edges: bool
+    feet: np.ndarray                    # (n, 3): of all
+    heads: np.ndarray
+    arrows: list                        # the Stroke, as soon as it is drawn
+
+
 def shown(ob):
     """The Sections of what an object is made from, where that is any number of shapes that are seen."""
-    if ob is None or ob.mode != 'OBJECT' or not ob.visible_get() or not shape.has_shape(ob) or not recipes.follows(ob.data):
-        return []
+    return _seen(ob).sections
+
+
+def _seen(ob):
+    if ob is None or ob.mode != 'OBJECT' or not ob.visible_get():
+        return _NOTHING
+    return overlaid.kept('sections', ob, _found)
+
+
+def _found(ob):
+    """The _Seen of an object."""
+    if not shape.has_shape(ob) or not recipes.follows(ob.data):
+        return _NOTHING
     try:
         stored = recipes.read(ob.data)
+        are_edges = 'edges' in stored.recipe.defaults
         if not stored.recipe.has_more or len(stored.sources) > _MOST:
-            return []
-        if 'edges' in stored.recipe.defaults:
-            return _edges(ob, stored.sources)
-        return [_section(i + 1, source, is_turned) for i, (source, is_turned) in enumerate(zip(stored.sources, stored.turned))
-                if source is not None and source.visible_get() and shape.has_shape(source)]
+            return _NOTHING
+        found = _edges(ob, stored.sources) if are_edges else _sections(stored)
     except FAILURES:
-        return []
+        return _NOTHING
+    return _Seen(found, are_edges, *(np.array(points).reshape(-1, 3) for points in ([one.foot for one in found], [one.head for one in found])), [])
+
+
+def _sections(stored):
+    return [_section(i + 1, source, is_turned) for i, (source, is_turned) in enumerate(zip(stored.sources, stored.turned))
+            if source is not None and source.visible_get() and shape.has_shape(source)]
 
 
 def _edges(ob, sources):
@@ -59,57 +83,66 @@ def _edges(ob, sources):
 
 
 def _section(number, source, is_turned):
-    definition = store.read(source.data)
-    piece = verbs.pieces_of(definition)[0]
-    if definition.has_curves:
-        points = sections.samples(piece)[::-1 if is_turned else 1][[0, 3]]
-    else:
-        points = np.repeat([piece.evaluate(*map(np.mean, piece.domain))], 2, axis=0)
+    points = surveys.starts_of(source.data)[::-1 if is_turned else 1][:2]
     matrix = np.array(source.matrix_world, dtype=np.float64)
     return Section(number, *(points @ matrix[:3, :3].T + matrix[:3, 3]))
 
 
+_NOTHING = _Seen([], False, np.empty((0, 3)), np.empty((0, 3)), [])
+
+
 def _of_context():
     is_asked = bpy.context.space_data.overlay.show_overlays and state.rounding is None
-    return shown(bpy.context.object) if is_asked else []
+    return _seen(bpy.context.object) if is_asked else _NOTHING
 
 
 def draw():
     """Called by Blender for each 3D view: where curves start, and which way they run."""
-    found = _of_context()
-    if found:
+    seen = _of_context()
+    if seen.sections:
+        if not seen.arrows:
+            seen.arrows.append(strokes.arrows([(one.foot, one.head) for one in seen.sections if (one.foot != one.head).any()],
+                                              lambda: _COLOR))
         gpu.state.blend_set('ALPHA')
-        strokes.draw([strokes.arrows([(one.foot, one.head) for one in found if (one.foot != one.head).any()], lambda: _COLOR)])
+        strokes.draw(seen.arrows)
         gpu.state.blend_set('NONE')
 
 
-def _hidden(context, found):
+def _hidden(context, seen):
     """Which Sections are edges that lie behind the surface itself."""
     ob = context.object
     matrix = np.array(ob.matrix_world, dtype=np.float64)
-    if 'edges' not in recipes.of(ob.data).defaults or not abs(np.linalg.det(matrix)) > 0.0:
-        return np.zeros(len(found), bool)
+    if not seen.are_edges or not abs(np.linalg.det(matrix)) > 0.0:
+        return [False] * len(seen.sections)
     back = np.linalg.inv(matrix)
-    points = np.array([one.foot for one in found]) @ back[:3, :3].T + back[:3, 3]
-    return numbers_overlay.hidden_ones(context, ob, points)
+    return numbers_overlay.hidden_ones(context, ob, seen.feet @ back[:3, :3].T + back[:3, 3]).tolist()
+
+
+def _places(context, seen, behind):
+    """(n, 2) of floats: where the middles of the numbers stand, so many pixels behind where curves start."""
+    feet, heads = (picking.on_screen(context.region, context.region_data, np.eye(4), points) for points in (seen.feet, seen.heads))
+    along = heads - feet
+    length = np.linalg.norm(along, axis=1, keepdims=True)
+    return feet - behind * along / np.where(length == 0.0, 1.0, length)
 
 
 def draw_numbers():
     """Called by Blender for each 3D view, in pixels."""
-    found, context = _of_context(), bpy.context
-    if not found:
+    seen, context = _of_context(), bpy.context
+    if not seen.sections:
         return
-    feet, heads = (picking.on_screen(context.region, context.region_data, np.eye(4), np.array(points))
-                   for points in ([one.foot for one in found], [one.head for one in found]))
     scale = context.preferences.system.ui_scale
+    places = _places(context, seen, _BEHIND * scale)
+    are_finite = np.isfinite(places).all(axis=1).tolist()
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
     blf.size(0, _SIZE * scale)
-    for one, foot, head, is_hidden in zip(found, feet, heads, _hidden(context, found)):
+    for one, (x, y), is_finite, is_hidden in zip(seen.sections, places.tolist(), are_finite, _hidden(context, seen)):
+        if not is_finite:
+            continue
         blf.color(0, *_COLOR[:3], numbers_overlay.HIDDEN if is_hidden else _COLOR[3])
         text = str(one.number)
-        behind = foot - _BEHIND * scale * (head - foot) / (np.linalg.norm(head - foot) or 1.0)
-        if np.isfinite(behind).all():
-            blf.position(0, *(behind - 0.5 * np.array(blf.dimensions(0, text))), 0)
-            blf.draw(0, text)
+        width, height = blf.dimensions(0, text)
+        blf.position(0, x - width / 2, y - height / 2, 0)
+        blf.draw(0, text)
     blf.disable(0, blf.SHADOW)

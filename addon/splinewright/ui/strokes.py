@@ -17,11 +17,11 @@ _NEARER = 2e-3
 
 
 class Stroke(NamedTuple):
-    """Lines or points that are drawn alike, but for colours of their own."""
+    """Lines or points that are drawn alike, but for colors of their own."""
 
     batch: gpu.types.GPUBatch
     is_lines: bool
-    color: Callable                     # gives the colour now: themes and preferences change; None: each has its own
+    color: Callable                     # gives the color now: themes and preferences change; None: each has its own
     size: Callable                      # gives that of lines or points, on an interface that is not scaled
 
 
@@ -30,11 +30,11 @@ def lines(pairs, color, width):
     return Stroke(_batch(_line_shader(), 'LINES', pairs), True, color, lambda: width) if len(pairs) else None
 
 
-def coloured(pairs, colors, width):
-    """The Stroke of pairs (n, 2, 3) of ends that have colours (n, 2, 4), or None where there are none."""
+def colored(pairs, colors, width):
+    """The Stroke of pairs (n, 2, 3) of ends that have colors (n, 2, 4), or None where there are none."""
     if not len(pairs):
         return None
-    batch = batch_for_shader(_coloured_shader(), 'LINES', {
+    batch = batch_for_shader(_colored_shader(), 'LINES', {
         'pos': np.ascontiguousarray(pairs, np.float32).reshape(-1, 3),
         'color': np.ascontiguousarray(colors, np.float32).reshape(-1, 4)})
     return Stroke(batch, True, None, lambda: width)
@@ -100,7 +100,7 @@ def _line_shader():
     return gpu.shader.from_builtin('POLYLINE_UNIFORM_COLOR')
 
 
-def _coloured_shader():
+def _colored_shader():
     return gpu.shader.from_builtin('POLYLINE_SMOOTH_COLOR')
 
 
@@ -109,7 +109,7 @@ def _point_shader():
 
 
 def _draw(stroke, scale):
-    of_lines = _line_shader if stroke.color else _coloured_shader
+    of_lines = _line_shader if stroke.color else _colored_shader
     shader = of_lines() if stroke.is_lines else _point_shader()
     if stroke.is_lines:
         shader.uniform_float('viewportSize', gpu.state.viewport_get()[2:])

@@ -1,4 +1,4 @@
-"""Stripes and colours of curvature on the surfaces of shapes."""
+"""Stripes and colors of curvature on the surfaces of shapes."""
 
 from typing import NamedTuple
 
@@ -56,7 +56,7 @@ def _reach(chosen, found):
 
 
 def draw_legend(context, chosen, obs):
-    """In pixels, at the lower right: a bar of the colours and the numbers they stand for."""
+    """In pixels, at the lower right: a bar of the colors and the numbers they stand for."""
     found = _painted(chosen, obs)
     if not found:
         return

@@ -1,4 +1,4 @@
-"""Paint on surfaces: stripes that their exact normals reflect, and colours of numbers."""
+"""Paint on surfaces: stripes that their exact normals reflect, and colors of numbers."""
 
 from functools import cache
 
@@ -24,7 +24,7 @@ struct Paint {
     vec4 eye;
     vec4 axis;
     vec4 numbers;
-    vec4 colours[5];
+    vec4 colors[5];
 };
 """
 
@@ -47,11 +47,11 @@ float band(float t, float width)
     return mix(dark, 0.5, clamp(2.0 * width - 0.5, 0.0, 1.0));
 }
 
-vec3 colour_of(float t)
+vec3 color_of(float t)
 {
     float s = 2.0 * clamp(t, -1.0, 1.0) + 2.0;
     int i = int(min(s, 3.0));
-    return mix(paint.colours[i].xyz, paint.colours[i + 1].xyz, s - float(i));
+    return mix(paint.colors[i].xyz, paint.colors[i + 1].xyz, s - float(i));
 }
 
 vec4 seen(vec3 srgb)
@@ -70,7 +70,7 @@ void main()
     vec3 axis = paint.axis.xyz;
     if (kind == 3) {
         bool is_known = abs(number) < 1e37;
-        color = seen(light * (is_known ? colour_of(number * paint.numbers.z + paint.numbers.w) : vec3(0.5)));
+        color = seen(light * (is_known ? color_of(number * paint.numbers.z + paint.numbers.w) : vec3(0.5)));
         return;
     }
     vec3 way = kind == 2 ? n : reflect(to, n);
@@ -124,7 +124,7 @@ def batch(faces):
 
 
 def draw(prepared, matrix, kind, count=1.0, axis=(0.0, 0.0, 1.0), reach=1.0, colors=COLORS):
-    """In the 3D view at hand. kind: of PAINTS. reach: the number that has the last colour; the first has the opposite one,
+    """In the 3D view at hand. kind: of PAINTS. reach: the number that has the last color; the first has the opposite one,
     or with DISTANCES 0."""
     view, used = gpu.matrix.get_model_view_matrix(), shader()
     projection = gpu.matrix.get_projection_matrix()

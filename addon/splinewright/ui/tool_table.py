@@ -59,9 +59,9 @@ _KNOTS = (
 
 _CORNERS = (
     Tool("trim", "Trim", "Click the part of a curve to remove, up to where it meets other curves", "splinewright.trim_here",
-         ((_CLICK, "Remove Part"),), shown=("meet",), cursor='KNIFE', preview='curve'),
+         ((_CLICK, "Remove Part"),), shown=("meet",), cursor='KNIFE', preview='trim'),
     Tool("extend", "Extend", "Click a curve near an end to extend it until it meets another curve",
-         "splinewright.extend_here", ((_CLICK, "Extend Nearest End"),), shown=("meet", "how"), preview='curve'),
+         "splinewright.extend_here", ((_CLICK, "Extend Nearest End"),), shown=("meet", "how"), preview='extend'),
     Tool("fillet", "Fillet", "Click two curves on the parts to keep; a circular arc connects them",
          "splinewright.fillet_here", ((_CLICK, "First Curve to Fillet"),), shown=("radius", "joined"), preview='curve'),
     Tool("chamfer", "Chamfer", "Click two curves on the parts to keep; a straight segment connects them",
@@ -85,8 +85,8 @@ _POINTS = (
          "splinewright.tilt_here", ((_DRAG, "Tilt"),), settings=_DRAGGED, modes=_CURVES, cursor='MOVE_X'))
 
 _LOOK = (
-    Tool("measure", "Measure", "Click a shape to show what it measures there in the Measure panel", "splinewright.measure_here",
-         ((_CLICK, "Measure"),), modes=_EVERYWHERE),
+    Tool("measure", "Measure", "Point at a shape to measure it there; a click shows all numbers in the Measure panel", "splinewright.measure_here",
+         ((_CLICK, "Show in the Panel"),), modes=_EVERYWHERE, preview='measure'),
     Tool("pick", "Pick Piece", "Click a piece of a shape; commands that ask for a piece start with it",
          "splinewright.pick_piece", ((_CLICK, "Pick Piece"),), shown=("other",), cursor='EYEDROPPER'))
 

@@ -70,7 +70,7 @@ _Patch = NurbsPatch | BezierPatch | HermitePatch
 _Points = NDArray[Any]  # float64, or float32 where dtype or out ask for it
 
 class Error(Exception):
-    """All that the library raises of its own is one of these."""
+    """Base class of all exceptions raised by the library."""
 
 class InvalidShape(Error, ValueError):
     """Bad input: the message names the argument, the first offending index and its value."""
@@ -91,7 +91,7 @@ class Cancelled(Error, RuntimeError):
 
 @final
 class Continuity:
-    """How smoothly a curve goes on where two of its pieces, or two curves, meet."""
+    """The continuity of a curve where two of its pieces, or two curves, meet."""
 
     @property
     def gap(self) -> float: ...
@@ -175,7 +175,7 @@ class RoundedEdge:
 
 @final
 class SeamContinuity:
-    """How smoothly one patch goes on as another across a side of each; arrays at n places along it.
+    """The continuity of two patches across a side of each; arrays at n places along it.
 
     gap is a length, angle in [0, pi] lies between the tangent planes, curvature_difference is 1 / length.
     parameters (n,) in [0, 1], points (n, 3), the other arrays (n,); nan where there is nothing to measure.
@@ -511,7 +511,7 @@ class NurbsCurve:
     def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
     def frames(
-        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimising"] = "rotation_minimising", *,
+        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def dragged(
@@ -668,7 +668,7 @@ class BezierCurve:
     def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
     def frames(
-        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimising"] = "rotation_minimising", *,
+        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def dragged(
@@ -815,7 +815,7 @@ class HermiteCurve:
     def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
     def frames(
-        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimising"] = "rotation_minimising", *,
+        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def dragged(
@@ -971,7 +971,7 @@ class PowerCurve:
     def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
     def frames(
-        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimising"] = "rotation_minimising", *,
+        self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
     ) -> _Floats: ...
     def dumps(self) -> str: ...
@@ -1475,7 +1475,7 @@ class _PatchFields(TypedDict, total=False):
 
 @final
 class PatchSet:
-    """Many patches on one pool of points with weights, which neighbours share."""
+    """Many patches on one pool of points with weights, which neighbors share."""
 
     def __init__(
         self,

@@ -75,13 +75,13 @@ __all__ = [
     "touching_circle",
 ]
 
-_Parametrisation = Literal["uniform", "centripetal", "chordal"] | ArrayLike
+_Parameterization = Literal["uniform", "centripetal", "chordal"] | ArrayLike
 _Ends = Literal["parabola", "chord", "natural"]
 _Curve = NurbsCurve | BezierCurve | HermiteCurve | PowerCurve
 _Patch = NurbsPatch | BezierPatch | HermitePatch
 _Border = Literal["u_start", "u_end", "v_start", "v_end"]
 _EdgeContinuity = Literal["G0", "G1", "G2", "G3"]
-_Neighbour = tuple[_Patch, _Border, _EdgeContinuity] | tuple[_Patch, _Border, _EdgeContinuity, float]
+_Neighbor = tuple[_Patch, _Border, _EdgeContinuity] | tuple[_Patch, _Border, _EdgeContinuity, float]
 _PatchSmoothness = Literal["C0", "G1", "C1", "G2", "C2"]
 
 def polynomial_through(points: ArrayLike, parameters: ArrayLike | None = None) -> NurbsCurve: ...
@@ -91,7 +91,7 @@ def lagrange_evaluate(
 ) -> NDArray[np.float64]: ...
 def catmull_rom(
     points: ArrayLike,
-    parametrisation: _Parametrisation = "uniform",
+    parameterization: _Parameterization = "uniform",
     tension: ArrayLike = 0.0,
     closed: bool = False,
     ends: _Ends = "parabola",
@@ -101,7 +101,7 @@ def kochanek_bartels(
     tension: ArrayLike = 0.0,
     continuity: ArrayLike = 0.0,
     bias: ArrayLike = 0.0,
-    parametrisation: _Parametrisation = "uniform",
+    parameterization: _Parameterization = "uniform",
     closed: bool = False,
     ends: _Ends = "parabola",
 ) -> HermiteCurve: ...
@@ -187,7 +187,7 @@ def patch_from_formulas(
 ) -> Approximation[NurbsPatch]: ...
 def plane(origin: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> NurbsPatch: ...
 def cylinder(
-    centre: ArrayLike,
+    center: ArrayLike,
     axis: ArrayLike,
     radius: float,
     height: float,
@@ -195,7 +195,7 @@ def cylinder(
     sweep: float | None = None,
 ) -> NurbsPatch: ...
 def cone(
-    centre: ArrayLike,
+    center: ArrayLike,
     axis: ArrayLike,
     radius: float,
     height: float,
@@ -204,21 +204,21 @@ def cone(
     sweep: float | None = None,
 ) -> NurbsPatch: ...
 def disc(
-    centre: ArrayLike,
+    center: ArrayLike,
     axis: ArrayLike,
     radius: float,
     start: float = 0.0,
     sweep: float | None = None,
 ) -> NurbsPatch: ...
 def sphere(
-    centre: ArrayLike,
+    center: ArrayLike,
     radius: float,
     axis: ArrayLike = (0.0, 0.0, 1.0),
     start: float = 0.0,
     sweep: float | None = None,
 ) -> NurbsPatch: ...
 def torus(
-    centre: ArrayLike,
+    center: ArrayLike,
     axis: ArrayLike,
     ring_radius: float,
     tube_radius: float,
@@ -255,8 +255,8 @@ def loft(
     end_tangent: ArrayLike | None = None,
     start_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
     end_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
-    start_neighbour: _Neighbour | None = None,
-    end_neighbour: _Neighbour | None = None,
+    start_neighbor: _Neighbor | None = None,
+    end_neighbor: _Neighbor | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsPatch]: ...
 def corner_counts(sections: Sequence[_Curve | ArrayLike], *, align: bool = True) -> list[int]: ...
@@ -281,7 +281,7 @@ def network(
     along_u: Sequence[_Curve],
     along_v: Sequence[_Curve],
     *,
-    neighbours: Sequence[_Neighbour] | None = None,
+    neighbors: Sequence[_Neighbor] | None = None,
     tolerance: float | None = None,
     gap: float | None = None,
     cancel: Callable[[], object] | None = None,

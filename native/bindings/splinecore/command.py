@@ -52,7 +52,7 @@ def read(path):
     try:
         text = Path(path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
-        raise Refused(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'it is no text'}") from None
+        raise Refused(f"{path} cannot be read: {getattr(error, 'strerror', None) or 'it is not a text file'}") from None
     try:
         values = bpt.loads(text) if Path(path).suffix.lower() == ".bpt" else loads(text)
     except Error as error:
@@ -262,7 +262,7 @@ def parser():
     meshing = verb(tessellate, "input", "output")
     meshing.add_argument("--resolution", type=int, help="parts of each span: 8 of surfaces, 32 of curves where not given")
     meshing.add_argument("--tolerance", type=float, help="how far the mesh may be from the surface")
-    meshing.add_argument("--angle", type=float, help="how far normals of neighbours may turn, in degrees")
+    meshing.add_argument("--angle", type=float, help="how far normals of neighbors may turn, in degrees")
     verb(compare, "a", "b").add_argument("--tolerance", type=float, default=0.0, help="distance that counts as none")
     return made
 

@@ -11,13 +11,13 @@ from . import Approximation, NurbsCurve, NurbsPatch
 __all__ = ["approximate", "approximate_patch", "approximate_scattered", "interpolate", "interpolate_patch", "project"]
 
 _Floats: TypeAlias = NDArray[np.float64]
-_Parametrisation: TypeAlias = Literal["calm", "uniform", "centripetal", "chordal"]
+_Parameterization: TypeAlias = Literal["calm", "uniform", "centripetal", "chordal"]
 _Ends: TypeAlias = Literal["averaged", "not_a_knot", "natural"]
 
 def interpolate(
     points: ArrayLike,
     degree: SupportsIndex = 3,
-    parameters: _Parametrisation | ArrayLike = "calm",
+    parameters: _Parameterization | ArrayLike = "calm",
     knots: ArrayLike | None = None,
     ends: _Ends = "averaged",
     start: ArrayLike | None = None,
@@ -28,7 +28,7 @@ def interpolate(
 def interpolate_patch(
     points: ArrayLike,
     degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] = 3,
-    parameters: _Parametrisation | tuple[_Parametrisation | ArrayLike, _Parametrisation | ArrayLike] = "calm",
+    parameters: _Parameterization | tuple[_Parameterization | ArrayLike, _Parameterization | ArrayLike] = "calm",
     knots: tuple[ArrayLike | None, ArrayLike | None] | None = None,
     ends: _Ends | tuple[_Ends, _Ends] = "averaged",
     closed: bool | tuple[bool, bool] = False,
@@ -39,7 +39,7 @@ def approximate(
     points: ArrayLike,
     count: SupportsIndex | None = None,
     degree: SupportsIndex = 3,
-    parameters: _Parametrisation | ArrayLike | None = None,
+    parameters: _Parameterization | ArrayLike | None = None,
     *,
     tolerance: float | None = None,
     knots: ArrayLike | None = None,
@@ -65,7 +65,7 @@ def approximate_patch(
     points: ArrayLike,
     counts: SupportsIndex | tuple[SupportsIndex | None, SupportsIndex | None] | None = None,
     degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] = 3,
-    parameters: _Parametrisation | tuple[_Parametrisation | ArrayLike, _Parametrisation | ArrayLike] | None = None,
+    parameters: _Parameterization | tuple[_Parameterization | ArrayLike, _Parameterization | ArrayLike] | None = None,
     *,
     tolerance: float | None = None,
     knots: tuple[ArrayLike | None, ArrayLike | None] | None = None,

@@ -74,7 +74,7 @@ class RootSearch {
 
   std::span<const double> whole_;
   double noise_;
-  std::vector<Interval> found_;  ///< neighbours do not touch
+  std::vector<Interval> found_;  ///< neighbors do not touch
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace splinecore {
 
 /// Rows of homogeneous points on a plain knot vector, from which knots are taken one after the other.
 ///
-/// A list of knots, each with the row whose function begins there: taking one costs what its neighbours cost, however
+/// A list of knots, each with the row whose function begins there: taking one costs what its neighbors cost, however
 /// long the list is. What a removal makes is the nearest in its rows, in the sum of squares (The NURBS Book, 5.4 and
 /// A5.8; of the one equation that is too many the residue is known in closed form).
 class KnotList {

@@ -60,7 +60,7 @@ MoebiusKnots moebius(const KnotVector& knots, double rho) {
   std::vector<double> moved;
   for (const double u : old) {
     const double image = map.at(u);
-    // Rounding may bring two neighbours out of order by an ulp.
+    // Rounding may bring two neighbors out of order by an ulp.
     moved.push_back(moved.empty() ? image : std::max(image, moved.back()));
   }
   std::vector<double> factors(knots.count(), 1.0);

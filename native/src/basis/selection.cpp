@@ -121,7 +121,7 @@ Selection reversed(const KnotVector& knots) {
 
 void require_inside(const KnotVector& knots, double u) {
   if (knots.periodic()) {
-    throw InvalidShape("a periodic shape does not fall in two at one parameter: open it there first");
+    throw InvalidShape("a periodic shape is not cut in two at one parameter: open it there first");
   }
   const Interval range = knots.domain();
   if (u > range.start && u < range.end) return;

@@ -17,7 +17,7 @@ namespace {
 struct BesidePlace {
   glm::dvec3 point;
   glm::dvec3 tangent;
-  glm::dvec3 centre;
+  glm::dvec3 center;
   glm::dvec3 slope;
   double turning;
 };
@@ -56,7 +56,7 @@ std::optional<TouchedBoth> BesideBoth::near(double u, double v) const {
     breathe(1024);
     const BesidePlace on_a = place(a_, u, sides_[0], normal_);
     const BesidePlace on_b = place(b_, v, sides_[1], normal_);
-    const glm::dvec3 gap = on_b.centre - on_a.centre;
+    const glm::dvec3 gap = on_b.center - on_a.center;
     const double area = glm::dot(glm::cross(on_a.slope, on_b.slope), normal_);
     const double square = glm::dot(on_b.slope, on_b.slope);
     const bool is_parallel = std::abs(area) <= kParallel * glm::length(on_a.slope) * glm::length(on_b.slope);
@@ -83,17 +83,17 @@ std::optional<TouchedBoth> BesideBoth::at(double u, double v) const {
   const BesidePlace on_b = place(b_, v, sides_[1], normal_);
   if (is_corner(on_a, u) || is_corner(on_b, v)) return {};
   const double radius = std::abs(sides_[0]);
-  const glm::dvec3 centre = 0.5 * (on_a.centre + on_b.centre);
+  const glm::dvec3 center = 0.5 * (on_a.center + on_b.center);
   const double room = kOff * radius + rounding_of(on_a, u) + rounding_of(on_b, v);
-  if (!(glm::distance(on_a.centre, on_b.centre) <= room)) return {};
+  if (!(glm::distance(on_a.center, on_b.center) <= room)) return {};
   if (!(glm::distance(on_a.point, on_b.point) > kOff * radius)) return TouchedBoth{u, v, {}};
-  const glm::dvec3 from = on_a.point - centre;
-  const glm::dvec3 to = on_b.point - centre;
+  const glm::dvec3 from = on_a.point - center;
+  const glm::dvec3 to = on_b.point - center;
   const double turn = glm::dot(glm::cross(from / radius, to / radius), normal_) < 0.0 ? -1.0 : 1.0;
   const glm::dvec3 start = turn * glm::cross(normal_, from);
   const glm::dvec3 end = turn * glm::cross(normal_, to);
   return TouchedBoth{u, v,
-                     Fillet{arc_about(centre, on_a.point, on_b.point, turn * normal_), u, v, centre,
+                     Fillet{arc_about(center, on_a.point, on_b.point, turn * normal_), u, v, center,
                             glm::dot(start, on_a.tangent) > 0.0, glm::dot(end, on_b.tangent) > 0.0}};
 }
 

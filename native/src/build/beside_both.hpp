@@ -17,7 +17,7 @@ struct TouchedBoth {
   std::optional<Fillet> fillet;  ///< none where the curves touch each other
 };
 
-/// Two curves, and on which side of each the centre of a circle is that touches both.
+/// Two curves, and on which side of each the center of a circle is that touches both.
 class BesideBoth {
  public:
   BesideBoth(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides)

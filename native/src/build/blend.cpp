@@ -34,7 +34,7 @@ EndJet by_length(EndJet d, double scale, double unit) {
   double power = 1.0 / unit;
   for (int k = 1; k <= kHighest; ++k) d[static_cast<std::size_t>(k)] *= (power *= scale);
   const double v = glm::length(d[1]);
-  if (!(v > 0.0) || !std::isfinite(v)) throw InvalidShape("a curve stands still at its end: it has no direction there");
+  if (!(v > 0.0) || !std::isfinite(v)) throw InvalidShape("a curve has a zero derivative at its end: it has no direction there");
   const glm::dvec3 first = d[1] / v;
   const glm::dvec3 second = d[2] / v;
   const glm::dvec3 third = d[3] / v;
@@ -79,7 +79,7 @@ BezierCurve blend(const BlendEnd& from, const BlendEnd& to, int continuity, cons
   const glm::dvec3 start = first[0];
   const glm::dvec3 end = last[0];
   const double unit = distance_of(start, end);
-  if (!(unit > 0.0)) throw InvalidShape("the ends of the curves are one: there is nothing between them");
+  if (!(unit > 0.0)) throw InvalidShape("the ends of the curves coincide: there is nothing between them");
   if (continuity == 0) return BezierCurve::make({glm::dvec4(start, 1.0), glm::dvec4(end, 1.0)});
   const int degree = 2 * continuity + 1;
   std::vector<glm::dvec4> points(static_cast<std::size_t>(degree) + 1);

@@ -43,10 +43,10 @@ NurbsCurve contour(std::span<const glm::dvec3> points, std::span<const double> b
     const glm::dvec3& a = points[i];
     const glm::dvec3& b = points[(i + 1) % points.size()];
     const double bulge = bulges.empty() ? 0.0 : bulges[i];
-    if (!std::isfinite(bulge)) throw InvalidShape("bulges[" + std::to_string(i) + "] is no number");
-    if (a == b) throw InvalidShape("point " + std::to_string(i) + " and the next one are one: a part has no length");
+    if (!std::isfinite(bulge)) throw InvalidShape("bulges[" + std::to_string(i) + "] is not a finite number");
+    if (a == b) throw InvalidShape("point " + std::to_string(i) + " and the next one coincide: a segment has no length");
     if (bulge != 0.0 && !(length > 0.0 && std::isfinite(length))) {
-      throw InvalidShape("the normal is zero or no vector of numbers");
+      throw InvalidShape("the normal is zero or not finite");
     }
     made.push_back(bulge == 0.0 ? line_between(a, b) : arc_between(a, b, bulge, normal / length));
   }

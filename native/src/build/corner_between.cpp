@@ -69,7 +69,7 @@ std::optional<NurbsCurve> kept_part(const NurbsCurve& curve, const NurbsCurve& l
 std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsCurve& b,
                                                const std::array<double, 2>& kept) {
   const CurveIntersections both = intersections(a, b);
-  if (!both.overlaps.empty()) throw InvalidShape("the curves are one along a stretch: they make no corner");
+  if (!both.overlaps.empty()) throw InvalidShape("the curves coincide along a segment: they make no corner");
   std::optional<CurveIntersection> found;
   for (const CurveIntersection& place : both.places) {
     if (found && away_from(a, b, {place.a, place.b}, kept) >= away_from(a, b, {found->a, found->b}, kept)) continue;
@@ -132,7 +132,7 @@ CornerBetween chamfered(const NurbsCurve& a, const NurbsCurve& b, const std::arr
   if (const auto found = made(a, b)) return *found;
   const double by = size_of_both(a, b);
   if (const auto found = made(longer_at_ends(a, by), longer_at_ends(b, by))) return *found;
-  throw InvalidShape("the curves do not meet, nor would they straight on");
+  throw InvalidShape("the curves do not meet, nor do their tangents");
 }
 
 }  // namespace splinecore

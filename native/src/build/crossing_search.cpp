@@ -59,9 +59,9 @@ CrossingSearch::CrossingSearch(const NurbsCurve& a, const NurbsCurve& b, const g
       beside_a_(offset_boxes(a, view_, sides[0])),
       beside_b_(offset_boxes(b, view_, sides[1])) {}
 
-std::vector<Fillet> CrossingSearch::near(const glm::dvec3& centre) const {
+std::vector<Fillet> CrossingSearch::near(const glm::dvec3& center) const {
   constexpr int kMost = 1 << 14;
-  const glm::dvec2 place = view_.seen(centre);
+  const glm::dvec2 place = view_.seen(center);
   const auto is_off = [&](const OffsetBox& box) { return is_beyond(box, place, reach_); };
   std::vector<OffsetBox> near_b = beside_b_;
   std::erase_if(near_b, is_off);
@@ -73,7 +73,7 @@ std::vector<Fillet> CrossingSearch::near(const glm::dvec3& centre) const {
   std::vector<Fillet> found;
   for (int count = 0; !open.empty(); ++count) {
     breathe(256);
-    if (count > kMost) throw CrossingUndecided(centre);
+    if (count > kMost) throw CrossingUndecided(center);
     const BoxPair pair = std::move(open.back());
     open.pop_back();
     if (is_off(pair.first) || is_off(pair.second) || are_apart(pair.first, pair.second)) continue;

@@ -13,9 +13,9 @@ namespace splinecore {
 
 /// Neither an arc was found, nor that there is none.
 struct CrossingUndecided : std::exception {
-  explicit CrossingUndecided(const glm::dvec3& place) : centre(place) {}
+  explicit CrossingUndecided(const glm::dvec3& place) : center(place) {}
 
-  glm::dvec3 centre;
+  glm::dvec3 center;
 };
 
 /// Whether curves are touched by an arc about a place, by halving: pairs of parts whose offsets are seen to lie apart have none, in
@@ -26,7 +26,7 @@ class CrossingSearch {
   CrossingSearch(const NurbsCurve& a, const NurbsCurve& b, const glm::dvec3& normal, const std::array<double, 2>& sides);
 
   /// @throws CrossingUndecided after 2^14 pairs
-  std::vector<Fillet> near(const glm::dvec3& centre) const;
+  std::vector<Fillet> near(const glm::dvec3& center) const;
 
  private:
   PlaneView view_;

@@ -22,7 +22,7 @@ DirectedEnd place_of(const NurbsCurve& curve, double u, Side side) {
   derivatives(curve, std::span(&u, 1), 1, std::span(&d[0].x, 6), {.side = side});
   MovingFrame frame;
   frenet_frames(curve, std::span(&u, 1), std::span(&frame, 1), side);
-  if (std::isnan(frame.tangent.x)) throw InvalidShape("a curve stands still at its end: it has no direction there");
+  if (std::isnan(frame.tangent.x)) throw InvalidShape("a curve has a zero derivative at its end: it has no direction there");
   return {d[0], frame.tangent, glm::length(d[1])};
 }
 

@@ -170,7 +170,7 @@ class ImageOnPatch {
 
 NurbsCurve curve_on_patch(const NurbsPatch& patch, const NurbsCurve& image, double distance,
                           std::optional<double> tolerance) {
-  if (!std::isfinite(distance)) throw InvalidShape("the distance is no number");
+  if (!std::isfinite(distance)) throw InvalidShape("the distance is not a finite number");
   if (tolerance && !(*tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");
   const NearSpace space(patch.points());
   const double unit = space.length(1.0);

@@ -39,7 +39,7 @@ std::optional<NurbsCurve> arc_on(const NurbsCurve& curve, const DirectedEnd& end
   const double angle = length * bend;
   if (std::isnan(frame.normal.x) || !(angle > kStraight)) return {};
   if (!(angle < 2.0 * std::numbers::pi)) {
-    throw InvalidShape("the arc would go round its whole circle, which is " + text_of(2.0 * std::numbers::pi / bend) +
+    throw InvalidShape("the arc would be longer than its whole circle, which is " + text_of(2.0 * std::numbers::pi / bend) +
                        " long");
   }
   const double radius = 1.0 / bend;
@@ -65,11 +65,11 @@ NurbsCurve naturally_extended(const NurbsCurve& curve, const DirectedEnd& end, d
     if (splinecore::length(more).value < length) continue;
     return with_end(curve, parameters_at_lengths(more, std::span(&length, 1)).front());
   }
-  throw InvalidShape("the curve runs to infinity before it is so much longer");
+  throw InvalidShape("the curve runs to infinity within that length");
 }
 
 void require_open(const NurbsCurve& curve) {
-  if (is_closed(curve)) throw InvalidShape("the curve is closed: it has no end to go on from");
+  if (is_closed(curve)) throw InvalidShape("the curve is closed: it has no end to extend");
 }
 
 /// So long an extension stays short of going round its circle.

@@ -50,7 +50,7 @@ class HelixAbout {
     std::vector<MovingFrame> frames(at.size());
     if (at.empty()) return {};
     derivatives(axis_, at, 2, std::span(&d[0].x, 3 * d.size()), {.side = side});
-    rotation_minimising_frames(axis_, at, frames, {.start = options_.start}, side);
+    rotation_minimizing_frames(axis_, at, frames, {.start = options_.start}, side);
     const std::vector<double> lengths = lengths_at_parameters(axis_, at);
     std::vector<PathPlace> found;
     for (std::size_t i = 0; i < at.size(); ++i) found.push_back(place(&d[3 * i], frames[i], lengths[i] / whole_));
@@ -86,7 +86,7 @@ void require_numbers(const HelixOptions& options) {
   if (!(std::abs(options.turns) > 0.0 && std::abs(options.turns) <= kMostTurns)) {
     throw InvalidShape("the turns are not above 0 and up to 4096, or below");
   }
-  if (!std::isfinite(options.phase)) throw InvalidShape("the phase is no number");
+  if (!std::isfinite(options.phase)) throw InvalidShape("the phase is not a finite number");
   if (options.tolerance && !(*options.tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");
 }
 

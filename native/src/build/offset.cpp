@@ -109,14 +109,14 @@ class CurveOffset {
 };
 
 /// A circle about a point.
-BezierPieces circle_about(const glm::dvec3& centre, const SideStep& step) {
+BezierPieces circle_about(const glm::dvec3& center, const SideStep& step) {
   const glm::dvec3 across = std::abs(step.normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = std::abs(step.distance) * glm::normalize(glm::cross(step.normal, across));
   const glm::dvec3 y = glm::cross(step.normal, x);
   BezierPieces circle;
   for (const auto& [a, b] : {std::pair{x, y}, std::pair{y, -x}, std::pair{-x, -y}, std::pair{-y, x}}) {
-    const glm::dvec4 corner(centre + a + b, std::numbers::sqrt2 / 2.0);
-    circle.push_back(BezierCurve::make({glm::dvec4(centre + a, 1.0), corner, glm::dvec4(centre + b, 1.0)}));
+    const glm::dvec4 corner(center + a + b, std::numbers::sqrt2 / 2.0);
+    circle.push_back(BezierCurve::make({glm::dvec4(center + a, 1.0), corner, glm::dvec4(center + b, 1.0)}));
   }
   return circle;
 }
@@ -164,9 +164,9 @@ void require_plane(const BezierPieces& pieces, const SideStep& step, const NearS
 }  // namespace
 
 std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
-  if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance is zero or no number");
+  if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance is zero or not a finite number");
   const double length = glm::length(options.normal);
-  if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or no vector of numbers");
+  if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or not finite");
   if (options.tolerance && !(*options.tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");
   const NearSpace space(curve.points());
   const SideStep step{options.normal / length, distance / space.length(1.0), cubics_tolerance(space, options.tolerance)};

@@ -9,7 +9,7 @@ namespace splinecore {
 /// as one another but for their approximation, the one may begin before the other ends.
 BezierPieces without_loops(const BezierPieces& run, double tolerance);
 
-/// A run without pieces that are next to nothing long beside the tolerance and may lead back; their neighbours meet.
+/// A run without pieces that are next to nothing long beside the tolerance and may lead back; their neighbors meet.
 BezierPieces without_specks(const BezierPieces& run, double tolerance);
 
 }  // namespace splinecore

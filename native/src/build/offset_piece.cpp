@@ -47,31 +47,31 @@ std::optional<BezierCurve> moved_line(const BezierCurve& curve, const SideStep& 
   return BezierCurve::make(std::move(made));
 }
 
-/// An arc of a circle is blown up from its centre. @returns its pieces, none if it is no arc
+/// An arc of a circle is blown up from its center. @returns its pieces, none if it is no arc
 std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, const SideStep& step) {
   constexpr int kPlaces = 7;
   if (!curve.nurbs().rational()) return {};
-  glm::dvec3 centre(0.0);
+  glm::dvec3 center(0.0);
   double radius = 0.0;
   for (int i = 0; i <= kPlaces; ++i) {
     const auto [point, first, second] = derivatives_at(curve, static_cast<double>(i) / kPlaces);
     const double speed = glm::length(first);
     const double turn = glm::dot(glm::cross(first, second), step.normal);
     if (!(std::abs(turn) > 0.0)) return {};
-    const glm::dvec3 to_centre = speed * speed / turn * glm::cross(step.normal, first);
+    const glm::dvec3 to_center = speed * speed / turn * glm::cross(step.normal, first);
     if (i == 0) {
-      centre = point + to_centre;
-      const bool is_left = glm::dot(to_centre, glm::cross(step.normal, first)) > 0.0;
-      radius = is_left ? glm::length(to_centre) : -glm::length(to_centre);
+      center = point + to_center;
+      const bool is_left = glm::dot(to_center, glm::cross(step.normal, first)) > 0.0;
+      radius = is_left ? glm::length(to_center) : -glm::length(to_center);
     }
-    if (glm::distance(point + to_centre, centre) > kRounding * (1.0 + std::abs(radius))) return {};
+    if (glm::distance(point + to_center, center) > kRounding * (1.0 + std::abs(radius))) return {};
   }
   const double share = (radius - step.distance) / radius;
   if (std::abs(share * radius) <= kRounding) return std::vector<BezierCurve>{};
   std::vector<glm::dvec4> made;
   for (const glm::dvec4& p : curve.points()) {
     const glm::dvec3 at(p);
-    made.push_back(p.w == 0.0 ? glm::dvec4(share * at, 0.0) : glm::dvec4(centre + share * (at - centre), p.w));
+    made.push_back(p.w == 0.0 ? glm::dvec4(share * at, 0.0) : glm::dvec4(center + share * (at - center), p.w));
   }
   return std::vector{BezierCurve::make(std::move(made))};
 }

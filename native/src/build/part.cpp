@@ -110,7 +110,7 @@ std::vector<NurbsCurve> trimmed(const NurbsCurve& curve, std::span<const NurbsCu
   if (cuts.empty()) throw InvalidShape("nothing meets the curve between its ends: there is nothing to trim it at");
   const auto next = std::ranges::upper_bound(cuts, at);
   if (goes_round) {
-    if (cuts.size() == 1) throw InvalidShape("a closed curve is trimmed between two places, it is met in one only");
+    if (cuts.size() == 1) throw InvalidShape("a closed curve is trimmed between two intersections: here is only one");
     const double turn = domain.length();
     const double start = next == cuts.end() ? cuts.front() : *next;
     const double end = next == cuts.begin() ? cuts.back() : *(next - 1);

@@ -51,7 +51,7 @@ double size_on(const NewtonForm& polynomial, Interval range) {
   return size_of(values);
 }
 
-/// Bernstein spans one after the other; neighbours share a point.
+/// Bernstein spans one after the other; neighbors share a point.
 struct Spans {
   std::vector<double> knots;
   std::vector<glm::dvec4> points;

@@ -19,7 +19,7 @@ void require_positive(double length, const char* name) {
 
 void require_not_negative(double length, const char* name) {
   if (length >= 0.0 && std::isfinite(length)) return;
-  throw InvalidShape(std::string(name) + " = " + text_of(length) + " is no length");
+  throw InvalidShape(std::string(name) + " = " + text_of(length) + " is not a length");
 }
 
 /// Where a body of revolution stands.
@@ -27,11 +27,11 @@ struct Stand {
   Plane across;
   glm::dvec3 axis;
 
-  Stand(const glm::dvec3& centre, const glm::dvec3& direction) {
-    require_place(centre, "centre");
+  Stand(const glm::dvec3& center, const glm::dvec3& direction) {
+    require_place(center, "center");
     const double length = require_length(direction, "axis");
     axis = direction / length;
-    across = plane_across(centre, axis);
+    across = plane_across(center, axis);
   }
 
   Spoke spoke(double radius, double height, double weight = 1.0) const {
@@ -67,38 +67,38 @@ NurbsPatch plane(const glm::dvec3& origin, const glm::dvec3& axis_a, const glm::
                           {corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)});
 }
 
-NurbsPatch cylinder(const glm::dvec3& centre, const glm::dvec3& axis, double radius, double height, Turn turn) {
+NurbsPatch cylinder(const glm::dvec3& center, const glm::dvec3& axis, double radius, double height, Turn turn) {
   require_positive(radius, "radius");
   require_positive(height, "height");
-  return frustum(Stand(centre, axis), radius, radius, height, turn);
+  return frustum(Stand(center, axis), radius, radius, height, turn);
 }
 
-NurbsPatch cone(const glm::dvec3& centre, const glm::dvec3& axis, double radius, double height, double top_radius,
+NurbsPatch cone(const glm::dvec3& center, const glm::dvec3& axis, double radius, double height, double top_radius,
                 Turn turn) {
   require_not_negative(radius, "radius");
   require_not_negative(top_radius, "top_radius");
   require_positive(height, "height");
   if (radius == 0.0 && top_radius == 0.0) throw InvalidShape("radius and top_radius are both 0: the cone is a line");
-  return frustum(Stand(centre, axis), radius, top_radius, height, turn);
+  return frustum(Stand(center, axis), radius, top_radius, height, turn);
 }
 
-NurbsPatch disc(const glm::dvec3& centre, const glm::dvec3& axis, double radius, Turn turn) {
+NurbsPatch disc(const glm::dvec3& center, const glm::dvec3& axis, double radius, Turn turn) {
   require_positive(radius, "radius");
-  return frustum(Stand(centre, axis), radius, 0.0, 0.0, turn);
+  return frustum(Stand(center, axis), radius, 0.0, 0.0, turn);
 }
 
-NurbsPatch sphere(const glm::dvec3& centre, double radius, const glm::dvec3& axis, Turn turn) {
+NurbsPatch sphere(const glm::dvec3& center, double radius, const glm::dvec3& axis, Turn turn) {
   require_positive(radius, "radius");
-  const Stand stand(centre, axis);
+  const Stand stand(center, axis);
   const NurbsCurve meridian = ellipse_arc(glm::dvec3(0.0), {radius, 0.0, 0.0}, {0.0, radius, 0.0},
                                           -0.5 * std::numbers::pi, std::numbers::pi);
   return turned(meridian.knot_vector(), stand.spokes(meridian), turn);
 }
 
-NurbsPatch torus(const glm::dvec3& centre, const glm::dvec3& axis, double ring_radius, double tube_radius, Turn turn) {
+NurbsPatch torus(const glm::dvec3& center, const glm::dvec3& axis, double ring_radius, double tube_radius, Turn turn) {
   require_positive(ring_radius, "ring_radius");
   require_positive(tube_radius, "tube_radius");
-  const Stand stand(centre, axis);
+  const Stand stand(center, axis);
   const NurbsCurve tube =
       closed_ring(ellipse({ring_radius, 0.0, 0.0}, {tube_radius, 0.0, 0.0}, {0.0, tube_radius, 0.0}));
   return turned(tube.knot_vector(), stand.spokes(tube), turn);

@@ -39,8 +39,8 @@ SidePlace place_on(const NurbsCurve& curve, double u, const Plane& plane) {
   return {point_in(plane, d[0]), first / speed, speed, (first.x * second.y - first.y * second.x) / (speed * speed * speed)};
 }
 
-/// The centre of a circle through three points.
-glm::dvec2 centre_of(const std::array<SidePlace, 3>& places) {
+/// The center of a circle through three points.
+glm::dvec2 center_of(const std::array<SidePlace, 3>& places) {
   const glm::dvec2 a = places[1].point - places[0].point;
   const glm::dvec2 b = places[2].point - places[0].point;
   const double area = 2.0 * (a.x * b.y - a.y * b.x);
@@ -58,10 +58,10 @@ class ThreeTouches {
   ThreeTouches(const std::array<NurbsCurve, 3>& curves, const std::array<double, 3>& near, const Plane& plane)
       : curves_(curves), plane_(plane), at_(near) {
     look();
-    centre_ = centre_of(places_);
-    radius_ = glm::distance(centre_, places_[0].point);
+    center_ = center_of(places_);
+    radius_ = glm::distance(center_, places_[0].point);
     for (std::size_t i = 0; i < 3; ++i) {
-      sides_[i] = glm::dot(centre_ - places_[i].point, places_[i].left()) < 0.0 ? -1.0 : 1.0;
+      sides_[i] = glm::dot(center_ - places_[i].point, places_[i].left()) < 0.0 ? -1.0 : 1.0;
     }
   }
 
@@ -70,7 +70,7 @@ class ThreeTouches {
     constexpr int kMost = 60;
     constexpr double kReached = 1e-13;   // by the radius
     constexpr double kNear = 1e-10;
-    constexpr double kRounding = 0x1p-50;  // of the places of the curves and of the centre
+    constexpr double kRounding = 0x1p-50;  // of the places of the curves and of the center
     for (int round = 0; round < kMost; ++round) {
       breathe(1024);
       if (!step()) return false;
@@ -80,7 +80,7 @@ class ThreeTouches {
     return rest() <= kNear * radius_ + kRounding * size() && radius_ > 0.0;
   }
 
-  glm::dvec2 centre() const { return centre_; }
+  glm::dvec2 center() const { return center_; }
   double radius() const { return radius_; }
   const std::array<double, 3>& parameters() const { return at_; }
   const std::array<SidePlace, 3>& places() const { return places_; }
@@ -90,21 +90,21 @@ class ThreeTouches {
     for (std::size_t i = 0; i < 3; ++i) places_[i] = place_on(curves_[i], at_[i], plane_);
   }
 
-  /// From where the centre would be beside a curve to where it is.
+  /// From where the center would be beside a curve to where it is.
   glm::dvec2 gap(std::size_t i) const {
-    return centre_ - places_[i].point - sides_[i] * radius_ * places_[i].left();
+    return center_ - places_[i].point - sides_[i] * radius_ * places_[i].left();
   }
 
   /// What is rounded where the circle is.
   double size() const {
-    double largest = std::max(std::abs(centre_.x), std::abs(centre_.y));
+    double largest = std::max(std::abs(center_.x), std::abs(center_.y));
     for (const SidePlace& place : places_) largest = std::max({largest, std::abs(place.point.x), std::abs(place.point.y)});
     return largest;
   }
 
   double rest() const { return std::max({glm::length(gap(0)), glm::length(gap(1)), glm::length(gap(2))}); }
 
-  /// Across each curve there are three equations for the centre and the radius; what is left along it moves its place.
+  /// Across each curve there are three equations for the center and the radius; what is left along it moves its place.
   bool step() {
     glm::dmat3 rows;
     glm::dvec3 right;
@@ -132,7 +132,7 @@ class ThreeTouches {
       at_[i] = std::clamp(at_[i] + share * std::clamp(way, -0.1 * domain.length(), 0.1 * domain.length()), domain.start,
                           domain.end);
     }
-    centre_ += share * glm::dvec2(by);
+    center_ += share * glm::dvec2(by);
     radius_ += share * by.z;
     return std::isfinite(radius_);
   }
@@ -142,7 +142,7 @@ class ThreeTouches {
   std::array<double, 3> at_;
   std::array<SidePlace, 3> places_{};
   std::array<double, 3> sides_{};
-  glm::dvec2 centre_{};
+  glm::dvec2 center_{};
   double radius_ = 0.0;
 };
 
@@ -168,7 +168,7 @@ TouchingCircle touching_circle(const std::array<NurbsCurve, 3>& curves, const st
   const double height = glm::dot(glm::dvec3(inner[0].points().front()), glm::cross(plane.x_axis, plane.y_axis));
   const glm::dvec3 lift = height * glm::cross(plane.x_axis, plane.y_axis);
   for (std::size_t i = 0; i < 3; ++i) at[i] = space.leave(plane.point(touches.places()[i].point) + lift);
-  return {arc_through(at[0], at[1], at[2]), space.leave(plane.point(touches.centre()) + lift),
+  return {arc_through(at[0], at[1], at[2]), space.leave(plane.point(touches.center()) + lift),
           space.length(touches.radius()), touches.parameters()};
 }
 

@@ -21,7 +21,7 @@ constexpr double kStraight = 0x1p-46;
 
 void require_finite(std::initializer_list<glm::dvec3> points) {
   for (const glm::dvec3& p : points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) throw InvalidShape("a coordinate is no number");
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) throw InvalidShape("a coordinate is not a finite number");
   }
 }
 
@@ -48,8 +48,8 @@ NurbsCurve arc_of(const glm::dvec3& start, const glm::dvec3& tangent, const glm:
   // The chord makes half the angle of the arc with the tangent.
   const double angle = std::atan2(sine, glm::dot(chord.along, tangent));
   const double radius = 0.5 * chord.length / sine;
-  const glm::dvec3 to_centre = across / sine;
-  const NurbsCurve arc = ellipse_arc(start + radius * to_centre, -radius * to_centre, radius * tangent, 0.0, 2.0 * angle);
+  const glm::dvec3 to_center = across / sine;
+  const NurbsCurve arc = ellipse_arc(start + radius * to_center, -radius * to_center, radius * tangent, 0.0, 2.0 * angle);
   std::vector<glm::dvec4> points(arc.points().begin(), arc.points().end());
   points.front() = glm::dvec4(start, points.front().w);
   points.back() = glm::dvec4(end, points.back().w);
@@ -63,7 +63,7 @@ NurbsCurve arc_through(const glm::dvec3& start, const glm::dvec3& through, const
   const Stretched first = measured(through - start);
   const Stretched second = measured(end - through);
   const Stretched chord = measured(end - start);
-  if (first.length == 0.0 || second.length == 0.0 || chord.length == 0.0) throw InvalidShape("two of the points are one");
+  if (first.length == 0.0 || second.length == 0.0 || chord.length == 0.0) throw InvalidShape("two of the points coincide");
   const glm::dvec3 normal = glm::cross(first.along, second.along);
   const double sine = glm::length(normal);
   if (!(sine > kStraight)) throw InvalidShape("the points are on one line");
@@ -79,22 +79,22 @@ NurbsCurve arc_from_tangent(const glm::dvec3& start, const glm::dvec3& tangent, 
   const Stretched way = measured(tangent);
   const Stretched chord = measured(end - start);
   if (way.length == 0.0) throw InvalidShape("the direction is zero");
-  if (chord.length == 0.0) throw InvalidShape("both points are one");
+  if (chord.length == 0.0) throw InvalidShape("both points coincide");
   return arc_of(start, way.along, end, chord);
 }
 
-NurbsCurve arc_about(const glm::dvec3& centre, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& normal) {
-  require_finite({centre, start, end, normal});
-  const Stretched radius = measured(start - centre);
-  const Stretched to_end = measured(end - centre);
-  if (radius.length == 0.0 || to_end.length == 0.0) throw InvalidShape("a point is the centre");
+NurbsCurve arc_about(const glm::dvec3& center, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& normal) {
+  require_finite({center, start, end, normal});
+  const Stretched radius = measured(start - center);
+  const Stretched to_end = measured(end - center);
+  if (radius.length == 0.0 || to_end.length == 0.0) throw InvalidShape("a point is the center");
   const Stretched given = measured(normal);
   const Stretched axis = measured(given.along - glm::dot(given.along, radius.along) * radius.along);
   if (!(axis.length > kStraight)) throw InvalidShape("the normal is zero or along the radius");
   const glm::dvec3 y = glm::cross(axis.along, radius.along);
   double angle = std::atan2(glm::dot(to_end.along, y), glm::dot(to_end.along, radius.along));
   if (angle <= kStraight) angle += kTurn;
-  return ellipse_arc(centre, radius.length * radius.along, radius.length * y, 0.0, std::min(angle, kTurn));
+  return ellipse_arc(center, radius.length * radius.along, radius.length * y, 0.0, std::min(angle, kTurn));
 }
 
 }  // namespace splinecore

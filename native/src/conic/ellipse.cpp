@@ -39,22 +39,22 @@ CosineAndSine direction_of(double angle) {
 }
 
 struct Axes {
-  glm::dvec3 centre;
+  glm::dvec3 center;
   glm::dvec3 a;
   glm::dvec3 b;
 
   glm::dvec3 offset(const CosineAndSine& d) const { return d.cosine * a + d.sine * b; }
 };
 
-Axes admitted(const glm::dvec3& centre, const glm::dvec3& a, const glm::dvec3& b) {
-  require_vector(centre, "centre");
+Axes admitted(const glm::dvec3& center, const glm::dvec3& a, const glm::dvec3& b) {
+  require_vector(center, "center");
   require_vector(a, "axis_a");
   require_vector(b, "axis_b");
   const double length_a = length_of(a);
   const double length_b = length_of(b);
   if (!std::isnormal(length_a)) throw InvalidShape("axis_a has the length " + text_of(length_a));
   if (!std::isnormal(length_b)) throw InvalidShape("axis_b has the length " + text_of(length_b));
-  if (length_of(accurate_cross(a / length_a, b / length_b)) > 4.0 * kEpsilon) return {centre, a, b};
+  if (length_of(accurate_cross(a / length_a, b / length_b)) > 4.0 * kEpsilon) return {center, a, b};
   throw InvalidShape("axis_b is parallel to axis_a: they span no ellipse");
 }
 
@@ -78,12 +78,12 @@ int require_spans(double start, double sweep, int span_count) {
 NurbsCurve arc(const Axes& axes, double start, double sweep, int spans) {
   const double weight = direction_of(sweep / (2.0 * spans)).cosine;
   const auto at = [&](int half_spans) { return direction_of(start + sweep * half_spans / (2.0 * spans)); };
-  std::vector<glm::dvec4> points{{axes.centre + axes.offset(at(0)), 1.0}};
+  std::vector<glm::dvec4> points{{axes.center + axes.offset(at(0)), 1.0}};
   std::vector<double> knots{0.0, 0.0, 0.0};
   for (int i = 1; i <= spans; ++i) {
     const glm::dvec3 middle = axes.offset(at(2 * i - 1));
-    points.push_back(weight == 0.0 ? glm::dvec4(middle, 0.0) : glm::dvec4(axes.centre + middle / weight, weight));
-    points.emplace_back(axes.centre + axes.offset(at(2 * i)), 1.0);
+    points.push_back(weight == 0.0 ? glm::dvec4(middle, 0.0) : glm::dvec4(axes.center + middle / weight, weight));
+    points.emplace_back(axes.center + axes.offset(at(2 * i)), 1.0);
     knots.insert(knots.end(), 2, i);
   }
   knots.push_back(spans);
@@ -95,14 +95,14 @@ NurbsCurve single_span(const Axes& axes) {
   constexpr std::array<CosineAndSine, 6> kPoints{{{1, 0}, {1, 4}, {-3, 2}, {-3, -2}, {1, -4}, {1, 0}}};
   constexpr std::array<double, 6> kWeights{5, 1, 1, 1, 1, 5};
   std::vector<glm::dvec4> points;
-  for (std::size_t i = 0; i < 6; ++i) points.emplace_back(axes.centre + axes.offset(kPoints[i]), kWeights[i]);
+  for (std::size_t i = 0; i < 6; ++i) points.emplace_back(axes.center + axes.offset(kPoints[i]), kWeights[i]);
   return NurbsCurve::make(KnotVector::bezier(5), std::move(points));
 }
 
 }  // namespace
 
-NurbsCurve ellipse(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b, EllipseForm form) {
-  const Axes axes = admitted(centre, axis_a, axis_b);
+NurbsCurve ellipse(const glm::dvec3& center, const glm::dvec3& axis_a, const glm::dvec3& axis_b, EllipseForm form) {
+  const Axes axes = admitted(center, axis_a, axis_b);
   switch (form) {
     case EllipseForm::triangle: return arc(axes, 0.0, kTurn, 3);
     case EllipseForm::halves: return arc(axes, 0.0, kTurn, 2);
@@ -112,28 +112,28 @@ NurbsCurve ellipse(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm
   return arc(axes, 0.0, kTurn, 4);
 }
 
-NurbsCurve circle(const glm::dvec3& centre, double radius, const glm::dvec3& normal, EllipseForm form) {
+NurbsCurve circle(const glm::dvec3& center, double radius, const glm::dvec3& normal, EllipseForm form) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InvalidShape("radius = " + text_of(radius) + " is not a positive length");
   }
-  require_vector(centre, "centre");
-  const Plane plane = plane_across(centre, normal);
-  return ellipse(centre, radius * plane.x_axis, radius * plane.y_axis, form);
+  require_vector(center, "center");
+  const Plane plane = plane_across(center, normal);
+  return ellipse(center, radius * plane.x_axis, radius * plane.y_axis, form);
 }
 
-NurbsCurve ellipse_arc(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b, double start,
+NurbsCurve ellipse_arc(const glm::dvec3& center, const glm::dvec3& axis_a, const glm::dvec3& axis_b, double start,
                        double sweep, int span_count) {
-  const Axes axes = admitted(centre, axis_a, axis_b);
+  const Axes axes = admitted(center, axis_a, axis_b);
   return arc(axes, start, sweep, require_spans(start, sweep, span_count));
 }
 
-std::vector<NurbsCurve> hyperbola(const glm::dvec3& centre, const glm::dvec3& axis_a, const glm::dvec3& axis_b) {
-  const Axes axes = admitted(centre, axis_a, axis_b);
+std::vector<NurbsCurve> hyperbola(const glm::dvec3& center, const glm::dvec3& axis_a, const glm::dvec3& axis_b) {
+  const Axes axes = admitted(center, axis_a, axis_b);
   const auto branch = [&](double sign) {
     const glm::dvec3 from = sign * (axes.a - axes.b);
     const glm::dvec3 to = sign * (axes.a + axes.b);
     return NurbsCurve::make(KnotVector::make(2, {0, 0, 0, 0.5, 0.5, 1, 1, 1}),
-                            {{2.0 * from, 0.0}, {centre + from, 1.0}, {centre + sign * axes.a, 1.0}, {centre + to, 1.0},
+                            {{2.0 * from, 0.0}, {center + from, 1.0}, {center + sign * axes.a, 1.0}, {center + to, 1.0},
                              {2.0 * to, 0.0}});
   };
   return {branch(1.0), branch(-1.0)};

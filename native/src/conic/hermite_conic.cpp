@@ -109,7 +109,7 @@ class Subdivision {
         error_ = std::max(error_, error);
         return;
       }
-      if (error <= rounding_of(arc)) throw ToleranceNotReached("the conic cannot be had as cubics", tolerance_, error);
+      if (error <= rounding_of(arc)) throw ToleranceNotReached("cubics cannot approximate the conic", tolerance_, error);
     }
     for (const Arc& half : halves(arc)) add(half);
   }

@@ -54,31 +54,31 @@ ConicShape straight(const ConicCoefficients& k) {
   const double square = k.d * k.d + k.e * k.e;
   if (square == 0.0) return {.type = ConicType::empty};
   const glm::dvec2 normal(k.d, k.e);
-  return {.type = ConicType::line, .centre = -k.f / square * normal, .axis = oriented(across(glm::normalize(normal)))};
+  return {.type = ConicType::line, .center = -k.f / square * normal, .axis = oriented(across(glm::normalize(normal)))};
 }
 
-ConicShape elliptic(const Spectrum& s, const glm::dvec2& centre, double value) {
-  if (value == 0.0) return {.type = ConicType::point, .centre = centre};
+ConicShape elliptic(const Spectrum& s, const glm::dvec2& center, double value) {
+  if (value == 0.0) return {.type = ConicType::point, .center = center};
   if ((value > 0.0) == (s.large > 0.0)) return {.type = ConicType::empty};
   if (s.is_round) {
     const double radius = std::sqrt(-value / (0.5 * (s.large + s.small)));
-    return {ConicType::circle, centre, {1.0, 0.0}, radius, radius};
+    return {ConicType::circle, center, {1.0, 0.0}, radius, radius};
   }
   const double major = std::sqrt(-value / s.small);
-  return {ConicType::ellipse, centre, oriented(across(s.axis)), major, std::sqrt(-value / s.large)};
+  return {ConicType::ellipse, center, oriented(across(s.axis)), major, std::sqrt(-value / s.large)};
 }
 
-ConicShape hyperbolic(const Spectrum& s, const glm::dvec2& centre, double value) {
+ConicShape hyperbolic(const Spectrum& s, const glm::dvec2& center, double value) {
   const double large = std::sqrt(std::abs(s.large));
   const double small = std::sqrt(std::abs(s.small));
   if (value == 0.0) {
     const double length = std::hypot(large, small);
-    return {ConicType::crossing_lines, centre, oriented(s.axis), small / length, large / length};
+    return {ConicType::crossing_lines, center, oriented(s.axis), small / length, large / length};
   }
   const double half = std::sqrt(std::abs(value));
   const bool is_along = (value > 0.0) != (s.large > 0.0);
-  if (is_along) return {ConicType::hyperbola, centre, oriented(s.axis), half / large, half / small};
-  return {ConicType::hyperbola, centre, oriented(across(s.axis)), half / small, half / large};
+  if (is_along) return {ConicType::hyperbola, center, oriented(s.axis), half / large, half / small};
+  return {ConicType::hyperbola, center, oriented(across(s.axis)), half / small, half / large};
 }
 
 ConicShape central(const ConicCoefficients& k, const Spectrum& s) {
@@ -138,15 +138,15 @@ ImplicitConic ImplicitConic::make(const std::array<double, 6>& coefficients, con
     throw InvalidShape("coefficients are all zero: every point of the plane would lie on the conic");
   }
   const ConicShape shape = shape_of(scaled(coefficients));
-  for (const double number : {shape.centre.x, shape.centre.y, shape.axis.x, shape.axis.y, shape.first, shape.second}) {
+  for (const double number : {shape.center.x, shape.center.y, shape.axis.x, shape.axis.y, shape.first, shape.second}) {
     if (!std::isfinite(number)) throw InvalidShape("coefficients describe a conic beyond the range of numbers");
   }
   return {coefficients, plane_along(plane.origin, plane.x_axis, plane.y_axis), shape};
 }
 
-std::optional<glm::dvec3> centre(const ImplicitConic& conic) {
+std::optional<glm::dvec3> center(const ImplicitConic& conic) {
   if (conic.type() == ConicType::empty) return std::nullopt;
-  return conic.plane().point(conic.shape().centre);
+  return conic.plane().point(conic.shape().center);
 }
 
 std::array<glm::dvec3, 2> axis_directions(const ImplicitConic& conic) {
@@ -156,7 +156,7 @@ std::array<glm::dvec3, 2> axis_directions(const ImplicitConic& conic) {
 
 std::vector<glm::dvec3> foci(const ImplicitConic& conic) {
   const ConicShape& s = conic.shape();
-  const auto at = [&](double distance) { return conic.plane().point(s.centre + distance * s.axis); };
+  const auto at = [&](double distance) { return conic.plane().point(s.center + distance * s.axis); };
   switch (s.type) {
     case ConicType::circle: return {at(0.0)};
     case ConicType::parabola: return {at(s.first)};

@@ -48,7 +48,7 @@ ImplicitConic implicit_conic(const BezierCurve& curve) {
     throw InvalidShape("degree = " + std::to_string(curve.degree()) + ": a conic is a curve of degree 2");
   }
   const auto plane = plane_of_control_points(curve.points());
-  if (!plane) throw InvalidShape("points lie on one line: the curve has no equation of its own");
+  if (!plane) throw InvalidShape("the points lie on one line: the equation of the curve is not unique");
   std::array<glm::dvec3, 3> g;
   std::ranges::transform(curve.points(), g.begin(), [&](const auto& p) { return homogeneous_in(*plane, p); });
   scale_to_one(g);
@@ -62,13 +62,13 @@ ImplicitConic implicit_conic(const BezierCurve& curve) {
     return std::abs(value) <= kNoise * size ? 0.0 : value;
   };
   std::array<double, 6> k{half(0, 0), 2 * half(0, 1), half(1, 1), 2 * half(0, 2), 2 * half(1, 2), half(2, 2)};
-  normalise(k);
+  normalize(k);
   return ImplicitConic::make(k, *plane);
 }
 
 std::vector<NurbsCurve> curves_of(const ImplicitConic& conic) {
   const ConicShape& s = conic.shape();
-  const glm::dvec3 middle = conic.plane().point(s.centre);
+  const glm::dvec3 middle = conic.plane().point(s.center);
   const auto [axis, side] = axis_directions(conic);
   const glm::dvec3 first = s.first * axis;
   const glm::dvec3 second = s.second * side;

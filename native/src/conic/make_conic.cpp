@@ -90,7 +90,7 @@ NurbsCurve quadratic(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec
 NurbsCurve parabola_arc(const ImplicitConic& conic, double start, double end) {
   const auto at = [&](double height, double across) {
     const auto [axis, side] = axis_directions(conic);
-    return *centre(conic) + height / (4.0 * conic.shape().first) * axis + across * side;
+    return *center(conic) + height / (4.0 * conic.shape().first) * axis + across * side;
   };
   return quadratic(at(start * start, start), at(start * end, 0.5 * start + 0.5 * end), at(end * end, end), 1.0);
 }
@@ -101,7 +101,7 @@ NurbsCurve hyperbola_arc(const ImplicitConic& conic, double start, double end) {
   const auto at = [&](double u, double divisor) {
     const auto [axis, side] = axis_directions(conic);
     const ConicShape& s = conic.shape();
-    return *centre(conic) + s.first * std::cosh(u) / divisor * axis + s.second * std::sinh(u) / divisor * side;
+    return *center(conic) + s.first * std::cosh(u) / divisor * axis + s.second * std::sinh(u) / divisor * side;
   };
   return quadratic(at(start, 1.0), at(middle, weight), at(end, 1.0), weight);
 }
@@ -140,7 +140,7 @@ ImplicitConic conic_through(std::span<const glm::dvec3> points, std::optional<do
     const double value = difference_of_products(one, pair[i], other, crossed[i]);
     k[i] = std::abs(value) <= noise ? 0.0 : value * units[i];
   }
-  normalise(k);
+  normalize(k);
   return ImplicitConic::make(k, plane);
 }
 
@@ -187,7 +187,7 @@ NurbsCurve arc_between(const ImplicitConic& conic, double start, double end) {
   const ConicShape& s = conic.shape();
   switch (s.type) {
     case ConicType::circle:
-    case ConicType::ellipse: return ellipse_arc(*centre(conic), s.first * axis, s.second * side, start, end - start);
+    case ConicType::ellipse: return ellipse_arc(*center(conic), s.first * axis, s.second * side, start, end - start);
     case ConicType::parabola: return parabola_arc(conic, start, end);
     case ConicType::hyperbola: return hyperbola_arc(conic, start, end);
     default: throw InvalidShape("only a circle, an ellipse, a parabola and a hyperbola have arcs");

@@ -37,11 +37,11 @@ inline glm::dvec3 accurate_cross(const glm::dvec3& a, const glm::dvec3& b) noexc
 
 /// Multiplies coefficients so that the largest quadratic one, or where all of these are zero the first that is
 /// not, becomes 1. @throws InvalidShape if all are zero: rounding has left nothing of the equation.
-inline void normalise(std::array<double, 6>& k) {
+inline void normalize(std::array<double, 6>& k) {
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double largest = *std::max_element(k.begin(), k.begin() + 3, by_size);
   const auto first = std::find_if(k.begin(), k.end(), [](double value) { return value != 0.0; });
-  if (first == k.end()) throw InvalidShape("points make no equation: rounding has left nothing of it");
+  if (first == k.end()) throw InvalidShape("the points give no equation: it is lost in rounding");
   const double divisor = largest != 0.0 ? largest : *first;
   for (double& value : k) value = value == 0.0 ? 0.0 : value / divisor;
 }

@@ -56,7 +56,7 @@ std::vector<double> missing(const KnotVector& knots, const KnotVector& wanted) {
   return found;
 }
 
-/// A first guess: the Greville-like neighbour, every point from a point beside it.
+/// A first guess: the Greville-like neighbor, every point from a point beside it.
 std::vector<glm::dvec4> first_guess(std::span<const glm::dvec4> points, int count) {
   std::vector<glm::dvec4> guess;
   const double step = count > 1 ? static_cast<double>(points.size() - 1) / (count - 1) : 0.0;

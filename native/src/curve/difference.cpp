@@ -29,7 +29,7 @@ bool is_of_one_sign(const BernsteinNet<Value>& net, Weight weight) {
 }
 
 /// With the largest weight 1, so that products of weights stay in the range of numbers.
-void normalise(Piece& net) {
+void normalize(Piece& net) {
   double largest = 0.0;
   for (const glm::dvec4& p : net.values) largest = std::max(largest, std::abs(p.w));
   if (largest == 0.0) return;
@@ -50,8 +50,8 @@ bool are_weights_equal(const Piece& a, const Piece& b) {
   return std::ranges::equal(a.values, b.values, {}, &glm::dvec4::w, &glm::dvec4::w);
 }
 
-/// A centre from which coordinates are small.
-glm::dvec3 centre_of(const Piece& net) {
+/// A center from which coordinates are small.
+glm::dvec3 center_of(const Piece& net) {
   const auto weight = [](const glm::dvec4& point) { return std::abs(point.w); };
   const glm::dvec4& heaviest = *std::ranges::max_element(net.values, {}, weight);
   return heaviest.w == 0.0 ? glm::dvec3(0.0) : project(heaviest);
@@ -69,8 +69,8 @@ Piece plain_difference(const Piece& a, const Piece& b, double& size) {
 
 /// The homogeneous points (A W_B - B W_A, W_A W_B).
 Piece rational_difference(const Piece& a, const Piece& b, double& size) {
-  const glm::dvec3 centre = centre_of(a);
-  const auto seen = [&](const glm::dvec4& p) { return glm::dvec4(glm::dvec3(p) - p.w * centre, p.w); };
+  const glm::dvec3 center = center_of(a);
+  const auto seen = [&](const glm::dvec4& p) { return glm::dvec4(glm::dvec3(p) - p.w * center, p.w); };
   const auto shares_u = product_shares(a.rows);
   const auto shares_v = product_shares(a.columns);
   Piece result{2 * a.rows - 1, 2 * a.columns - 1, {}};
@@ -172,8 +172,8 @@ double DifferencePiece::work() const {
 DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> b) {
   constexpr double kRounding = 0x1p-48;
   constexpr double kFinite = 0x1p-4;
-  normalise(a);
-  normalise(b);
+  normalize(a);
+  normalize(b);
   double size = 0.0;
   DifferencePiece piece;
   piece.points = are_weights_equal(a, b) ? plain_difference(a, b, size) : rational_difference(a, b, size);
@@ -205,7 +205,7 @@ class LengthSearch {
   }
 
   void run() {
-    constexpr double kMaxWork = 1e8;  // multiplications: less than a second, which no shape of modelling needs
+    constexpr double kMaxWork = 1e8;  // multiplications: less than a second, which no shape of modeling needs
     for (double work = 0.0; !is_done() && work < kMaxWork;) {
       const DifferencePiece worst = open_.top().piece;
       open_.pop();

@@ -32,7 +32,7 @@ NurbsCurve with_domain(const NurbsCurve& curve, Interval domain) {
     knot = is_late ? domain.end + (knot - old.end) * scale : domain.start + (knot - old.start) * scale;
     if (!std::isfinite(knot)) throw refused(" takes knots out of the range of numbers");
   }
-  // Rounding may bring two neighbours in the middle out of order by an ulp.
+  // Rounding may bring two neighbors in the middle out of order by an ulp.
   std::inclusive_scan(knots.begin(), knots.end(), knots.begin(), [](double a, double b) { return std::max(a, b); });
   const auto given = curve.knot_vector().knots();
   for (std::size_t i = 1; i < knots.size(); ++i) {

@@ -21,7 +21,7 @@ using Piece = BernsteinNet<glm::dvec4>;
 
 /// The box of the finite control points, and how far around it a curve may run.
 struct Room {
-  glm::dvec3 centre;
+  glm::dvec3 center;
   glm::dvec3 half;
   double length;
 
@@ -46,11 +46,11 @@ std::vector<glm::dvec3> finite_points(std::span<const glm::dvec4> points) {
   return finite;
 }
 
-/// Whether all points lie in the box around the room's centre, up to `noise` in homogeneous
+/// Whether all points lie in the box around the room's center, up to `noise` in homogeneous
 /// coordinates. With weights of one sign the hull property says the same of the curve.
 bool lies_within(std::span<const glm::dvec4> points, const Room& room, const glm::dvec3& reach, double noise) {
   return std::ranges::all_of(points, [&](const glm::dvec4& p) {
-    const glm::dvec3 offset = glm::abs(glm::dvec3(p) - p.w * room.centre);
+    const glm::dvec3 offset = glm::abs(glm::dvec3(p) - p.w * room.center);
     const glm::dvec3 most = std::abs(p.w) * reach + glm::dvec3(4.0 * noise);
     return offset.x <= most.x && offset.y <= most.y && offset.z <= most.z;
   });
@@ -60,7 +60,7 @@ bool lies_within(std::span<const glm::dvec4> points, const Room& room, const glm
 bool lies_beyond(std::span<const glm::dvec4> points, const Room& room, const glm::dvec3& reach) {
   const auto is_beyond = [&](int axis, double sign) {
     return std::ranges::all_of(points, [&](const glm::dvec4& p) {
-      return sign * (p[axis] - p.w * room.centre[axis]) > std::abs(p.w) * reach[axis];
+      return sign * (p[axis] - p.w * room.center[axis]) > std::abs(p.w) * reach[axis];
     });
   };
   for (int axis = 0; axis < 3; ++axis) {
@@ -73,13 +73,13 @@ double size_of(std::span<const glm::dvec4> points, const Room& room) {
   double size = 0.0;
   for (const glm::dvec4& p : points) {
     for (int axis = 0; axis < 3; ++axis) {
-      size = std::max({size, std::abs(p[axis] - p.w * room.centre[axis]), std::abs(p.w) * room.reach(1.0)[axis]});
+      size = std::max({size, std::abs(p[axis] - p.w * room.center[axis]), std::abs(p.w) * room.reach(1.0)[axis]});
     }
   }
   return size;
 }
 
-/// What rounding may do to the homogeneous points of a span, seen from the room's centre.
+/// What rounding may do to the homogeneous points of a span, seen from the room's center.
 struct Noise {
   double offset = 0.0;
   double weight = 0.0;
@@ -91,7 +91,7 @@ Noise noise_of(std::span<const glm::dvec4> span, const Room& room) {
   for (const glm::dvec4& p : span) {
     size.weight = std::max(size.weight, std::abs(p.w));
     for (int axis = 0; axis < 3; ++axis) {
-      size.offset = std::max({size.offset, std::abs(p[axis]), std::abs(p.w * room.centre[axis])});
+      size.offset = std::max({size.offset, std::abs(p[axis]), std::abs(p.w * room.center[axis])});
     }
   }
   return {ulps * size.offset, ulps * size.weight};
@@ -104,7 +104,7 @@ class ArcSearch {
     visit(span, {0.0, 1.0}, 0);
   }
 
-  /// In order; neighbours do not touch.
+  /// In order; neighbors do not touch.
   const std::vector<Interval>& found() const noexcept { return found_; }
   const Noise& noise() const noexcept { return noise_; }
 

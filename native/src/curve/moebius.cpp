@@ -48,7 +48,7 @@ double standard_rho(const NurbsCurve& curve) {
 }
 
 /// All weights divided by the first; the last becomes 1 to every digit.
-std::vector<glm::dvec4> normalised(std::span<const glm::dvec4> points) {
+std::vector<glm::dvec4> normalized(std::span<const glm::dvec4> points) {
   std::vector<glm::dvec4> scaled;
   for (std::size_t i = 0; i < points.size(); ++i) scaled.push_back(multiplied(points[i], 1.0 / points.front().w, i));
   scaled.front().w = scaled.back().w = 1.0;
@@ -79,12 +79,12 @@ NurbsCurve standard_form(const NurbsCurve& curve) {
                           multiplicity(knots, domain.end) == curve.degree() + 1;
   if (!is_clamped) throw InvalidShape("the curve is not clamped at both ends: it has no end weights");
   const NurbsCurve moved = moebius(curve, standard_rho(curve));
-  return moved.with_points(normalised(moved.points()));
+  return moved.with_points(normalized(moved.points()));
 }
 
 BezierCurve standard_form(const BezierCurve& curve) {
   const BezierCurve moved = moebius(curve, standard_rho(curve.nurbs()));
-  return moved.with_points(normalised(moved.points()));
+  return moved.with_points(normalized(moved.points()));
 }
 
 }  // namespace splinecore

@@ -158,7 +158,7 @@ NurbsCurve without_knot(const NurbsCurve& curve, double u, int times) {
   const double at = whole.knot_vector().admit(u, Side::right);
   const int most = removable(whole, at);
   if (times < 1 || times > most) {
-    if (most < 1) throw InvalidShape("u = " + text_of(u) + " is no knot that can be removed");
+    if (most < 1) throw InvalidShape("u = " + text_of(u) + " is not a knot that can be removed");
     throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(most) + "]");
   }
   return removed(whole, at, times);

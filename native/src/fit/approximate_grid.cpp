@@ -181,7 +181,7 @@ std::vector<NearDirection> choices_of(const PointGrid& grid, Axis axis, NearDire
   given.count = std::min(given.count, grid.count(axis));
   if (!given.parameters.empty()) return {given, given};
   NearDirection calm = given;
-  given.parameters = parameters_of(grid, axis, Parametrisation::chordal, given.closing);
+  given.parameters = parameters_of(grid, axis, Parameterization::chordal, given.closing);
   calm.parameters = calm_parameters(grid, axis, given.degree, given.closing);
   return {given, calm};
 }

@@ -136,7 +136,7 @@ std::vector<double> jumps_of(const FittedPoints& fit) {
   return jumps;
 }
 
-/// Knots without some `number` of the inner ones that jump least, no two of them neighbours.
+/// Knots without some `number` of the inner ones that jump least, no two of them neighbors.
 /// @param spared  so many that jump less stay
 KnotVector coarser(const FittedPoints& fit, std::size_t number, std::size_t spared) {
   const std::vector<double> jumps = jumps_of(fit);
@@ -285,7 +285,7 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, int degree, Closing closing,
                                              double tolerance, std::size_t most, const ApproximationOptions& options) {
   require_tolerance(tolerance);
-  const std::array choices{parameters_of(points, Parametrisation::chordal, closing),
+  const std::array choices{parameters_of(points, Parameterization::chordal, closing),
                            calm_parameters(points, degree, closing)};
   require_approximation(points, choices.front(), closing, options);
   return within(points, choices, degree, closing, tolerance, most, options);

@@ -37,7 +37,7 @@ std::vector<double> ending_at(std::vector<double> parameters, double length) {
 
 std::vector<double> calm_parameters(std::span<const glm::dvec3> points, int degree, Closing closing) {
   const int roots = calm_roots(degree);
-  const auto kind = roots == kNoRoots ? Parametrisation::uniform : Parametrisation::centripetal;
+  const auto kind = roots == kNoRoots ? Parameterization::uniform : Parameterization::centripetal;
   std::vector<double> parameters = parameters_of(points, kind, closing);
   if (points.size() < 2) return parameters;
   for (int root = 1; root < roots; ++root) parameters = with_roots(std::move(parameters));

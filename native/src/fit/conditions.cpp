@@ -149,7 +149,7 @@ std::vector<Condition> conditions_of(std::span<const glm::dvec3> points, std::sp
 
 namespace {
 
-/// Of `width` neighbours each, by differences, so that equal ones give themselves.
+/// Of `width` neighbors each, by differences, so that equal ones give themselves.
 std::vector<double> averages(std::span<const double> values, std::size_t width) {
   if (values.size() < width) return {};
   const std::size_t count = values.size() - width + 1;

@@ -72,7 +72,7 @@ std::span<const double> numbers(std::span<const glm::dvec3> points) { return {&p
 std::span<double> numbers(std::vector<glm::dvec3>& points) { return {&points.front().x, 3 * points.size()}; }
 
 /// Moves each parameter towards the foot of its point, by one step of Newton's method, and by less than half the way to
-/// its neighbours, so that their order stays (Hoschek 1988). The ends of an open curve stay.
+/// its neighbors, so that their order stays (Hoschek 1988). The ends of an open curve stay.
 void correct(const NurbsCurve& curve, std::span<const glm::dvec3> points, std::vector<double>& parameters) {
   constexpr double kMostOfGap = 0.45;
   const std::size_t count = parameters.size();

@@ -24,12 +24,12 @@ void require_grid(const PointGrid& grid) {
 
 namespace {
 
-/// Steps between neighbouring rows of points, as shares of each line that crosses them, added up over the lines.
+/// Steps between neighboring rows of points, as shares of each line that crosses them, added up over the lines.
 class Steps {
  public:
   static constexpr std::size_t kTogether = 16;  ///< lines, that lie side by side in memory along u
 
-  Steps(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing)
+  Steps(const PointGrid& grid, Axis axis, Parameterization kind, Closing closing)
       : grid_(grid), axis_(axis), kind_(kind), count_(grid.count(axis)),
         sums_(closing == Closing::closed ? count_ : count_ - 1), steps_(kTogether * sums_.size()) {}
 
@@ -41,7 +41,7 @@ class Steps {
       const std::size_t next = i + 1 < count_ ? i + 1 : 0;
       for (std::size_t k = 0; k < number; ++k) {
         const double distance = distance_of(at(i, begin + k), at(next, begin + k));
-        const double step = kind_ == Parametrisation::chordal ? distance : std::sqrt(distance);
+        const double step = kind_ == Parameterization::chordal ? distance : std::sqrt(distance);
         steps_[kTogether * i + k] = step;
         lengths[k] += step;
       }
@@ -57,7 +57,7 @@ class Steps {
       if (found.back() > found[i]) continue;
       throw InvalidShape("points along " + name() + ": line " + std::to_string((i + 1) % count_) +
                          " is too close to line " + std::to_string(i) +
-                         ": their distance is no step of the parameter");
+                         ": they coincide within rounding and get equal parameters");
     }
     return found;
   }
@@ -82,7 +82,7 @@ class Steps {
 
   const PointGrid& grid_;
   Axis axis_;
-  Parametrisation kind_;
+  Parameterization kind_;
   std::size_t count_;
   std::vector<double> sums_;
   std::vector<double> steps_;  ///< of the lines that are together
@@ -96,7 +96,7 @@ std::vector<double> equal_steps(std::size_t count, Closing closing) {
   return numbers;
 }
 
-/// The farthest that two neighbouring rows of points lie apart in a line, and the mean length of the lines that are no points.
+/// The farthest that two neighboring rows of points lie apart in a line, and the mean length of the lines that are no points.
 struct RowDistances {
   std::vector<double> largest;
   double length = 0.0;
@@ -126,14 +126,14 @@ struct RowDistances {
 
 [[noreturn]] void refuse_step(Axis axis, std::size_t line, std::size_t count) {
   throw InvalidShape("points along " + std::string(axis == Axis::u ? "u" : "v") + ": line " + std::to_string(line % count) +
-                     " is too close to line " + std::to_string(line - 1) + ": their distance is no step of the parameter");
+                     " is too close to line " + std::to_string(line - 1) + ": they coincide within rounding and get equal parameters");
 }
 
 }  // namespace
 
-std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind, Closing closing) {
+std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parameterization kind, Closing closing) {
   require_grid(grid);
-  if (kind == Parametrisation::uniform || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
+  if (kind == Parameterization::uniform || grid.count(axis) == 1) return equal_steps(grid.count(axis), closing);
   Steps steps(grid, axis, kind, closing);
   const std::size_t lines = axis == Axis::u ? grid.count_v : grid.count_u;
   for (std::size_t line = 0; line < lines; line += Steps::kTogether) {
@@ -151,7 +151,7 @@ std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree
     return ending_at(equal_steps(grid.count(axis), closing), distances.length);
   }
   const bool is_length = distances.length > 0.0 && std::isfinite(distances.length);
-  if (!is_length) return parameters_of(grid, axis, Parametrisation::centripetal, closing);
+  if (!is_length) return parameters_of(grid, axis, Parameterization::centripetal, closing);
   std::vector<double> found{0.0};
   for (double step : distances.largest) {
     for (int root = 0; root < roots; ++root) step = std::sqrt(step);

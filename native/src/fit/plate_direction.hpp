@@ -29,7 +29,7 @@ struct PlateDirection {
   std::size_t place(std::size_t i) const noexcept;
 
   std::size_t count;
-  bool is_folded;           ///< a period's functions in the order 0, n - 1, 1, n - 2, …: neighbours stay near
+  bool is_folded;           ///< a period's functions in the order 0, n - 1, 1, n - 2, …: neighbors stay near
   Held held;
   std::array<ProductBand, 3> bands;          ///< of derivatives 0, 1 and 2
   std::array<ProductBand, 3> masses;         ///< the same between control points of the derivatives

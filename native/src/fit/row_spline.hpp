@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "splinecore/basis/knot_vector.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 
 #pragma GCC visibility push(hidden)
 namespace splinecore {

@@ -131,7 +131,7 @@ void turned_box_distances(const TurnedBoxGroup& group, const double* from, doubl
   for (std::size_t i = 0; i < kBoxGroup; i += kWide) {
     const auto coordinate = [&](const double* numbers) { return load<WideLanes>(numbers + i); };
     WideLanes offset[3];
-    for (int c = 0; c < 3; ++c) offset[c] = all<WideLanes>(from[c]) - coordinate(group.centre[c]);
+    for (int c = 0; c < 3; ++c) offset[c] = all<WideLanes>(from[c]) - coordinate(group.center[c]);
     WideLanes sum{};
     for (int axis = 0; axis < 3; ++axis) {
       const auto& direction = group.axes[axis];

@@ -8,7 +8,7 @@ struct FourPlaces {
   Lanes s;
 };
 
-/// Numbers of up to four neighbours, of which lanes without one repeat the last.
+/// Numbers of up to four neighbors, of which lanes without one repeat the last.
 struct FourNumbers {
   std::size_t of[4];
 

@@ -89,10 +89,10 @@ struct GridRow {
   NormalRounding rounding;
 };
 
-/// The most neighbours in a row that a kernel computes at once.
+/// The most neighbors in a row that a kernel computes at once.
 inline constexpr std::size_t kMostLanes = 8;
 
-/// Up to Kernels::lanes neighbours in a row whose functions begin at one point; lanes of values and slopes, function by
+/// Up to Kernels::lanes neighbors in a row whose functions begin at one point; lanes of values and slopes, function by
 /// function.
 struct alignas(kMostLanes * sizeof(double)) GridBlock {
   double sizes[kMostLanes];  ///< of the slopes
@@ -102,7 +102,7 @@ struct alignas(kMostLanes * sizeof(double)) GridBlock {
   const double* slopes;
 };
 
-/// Neighbouring points of a row.
+/// Neighboring points of a row.
 struct GridRange {
   std::size_t first;
   std::size_t count;
@@ -114,7 +114,7 @@ struct GridBlocks {
   const GridRange* ranges;  ///< the points that blocks need
   std::size_t range_count;
   std::size_t width;  ///< how many points that are
-  std::size_t columns;  ///< neighbours of all blocks
+  std::size_t columns;  ///< neighbors of all blocks
   bool is_far;          ///< whether what is written comes from far memory, which is asked for ahead
 };
 
@@ -220,7 +220,7 @@ struct TridiagonalEnd {
   double* points;       ///< four numbers a row, of which the last one is anything
 };
 
-/// Values at neighbouring parameters of a span.
+/// Values at neighboring parameters of a span.
 struct SpanPoints {
   double start;  ///< of the span
   double end;
@@ -235,7 +235,7 @@ struct SpanPoints {
 
 /// Boxes that lie along three directions of their own, coordinate by coordinate.
 struct alignas(64) TurnedBoxGroup {
-  double centre[3][kBoxGroup];
+  double center[3][kBoxGroup];
   double axes[3][3][kBoxGroup];  ///< x, y, z of each direction
   double half[3][kBoxGroup];     ///< of the width in each direction
 };

@@ -4,7 +4,7 @@ typedef double Lanes __attribute__((vector_size(32)));
 typedef float SingleLanes __attribute__((vector_size(16)));
 typedef std::int64_t MaskLanes __attribute__((vector_size(32)));
 
-// As many doubles at once as a register holds: neighbours in a row or in a span are computed so.
+// As many doubles at once as a register holds: neighbors in a row or in a span are computed so.
 #if defined(__AVX512F__) && defined(__AVX512VL__) && defined(__AVX512DQ__)
 typedef double WideLanes __attribute__((vector_size(64)));
 typedef std::int64_t WideMask __attribute__((vector_size(64)));

@@ -8,7 +8,7 @@ typedef OwnLanes SumLanes;
 #endif
 inline constexpr std::size_t kSums = sizeof(SumLanes) / sizeof(double);
 
-/// x, y, z of neighbouring points, one lane each.
+/// x, y, z of neighboring points, one lane each.
 #if defined(SPLINECORE_WIDE_LANES)
 SPLINECORE_INLINE void load_triples(const double* from, SumLanes* xyz) {
   const WideLanes a = load<WideLanes>(from);

@@ -130,7 +130,7 @@ struct WideLeft {
 };
 
 #if defined(SPLINECORE_WIDE_LANES)
-/// Two neighbours' numbers, each four times.
+/// Two neighbors' numbers, each four times.
 template <int kPair>
 SPLINECORE_INLINE WideLanes for_pair(WideLanes numbers) {
   constexpr int a = 2 * kPair;

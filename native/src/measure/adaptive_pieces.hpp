@@ -90,7 +90,7 @@ class AdaptivePieces {
 
   void add_piece(SurfacePiece first) {
     constexpr double kMost = 16.0;
-    first.normalise();
+    first.normalize();
     std::vector<SurfacePiece> stack{std::move(first)};
     for (std::size_t cuts = 0; !stack.empty();) {
       SurfacePiece piece = std::move(stack.back());

@@ -11,11 +11,11 @@ namespace splinecore {
 /// Frames that are carried along a curve once, as far as they are asked for.
 class CarriedFrames {
  public:
-  /// @throws as rotation_minimising_frames()
+  /// @throws as rotation_minimizing_frames()
   CarriedFrames(const NurbsCurve& curve, const CarriedFrame& how);
   ~CarriedFrames();
 
-  /// rotation_minimising_frames()
+  /// rotation_minimizing_frames()
   void write(std::span<const double> parameters, std::span<MovingFrame> out, Side side);
 
  private:

@@ -194,7 +194,7 @@ class Measure {
     constexpr int kCusp = 28;
     constexpr int kWeight = 2200;
     if (curve_.rational()) {
-      piece.speed.normalise();
+      piece.speed.normalize();
       if (!piece.speed.is_even()) return piece.depth < kWeight;
     }
     return piece.cusps < kCusp && !piece.speed.is_regular() && ++piece.cusps > 0;

@@ -326,7 +326,7 @@ void CarriedFrames::write(std::span<const double> parameters, std::span<MovingFr
   carried_->write(parameters, out, side);
 }
 
-void rotation_minimising_frames(const NurbsCurve& curve, std::span<const double> parameters,
+void rotation_minimizing_frames(const NurbsCurve& curve, std::span<const double> parameters,
                                 std::span<MovingFrame> out, const CarriedFrame& how, Side side) {
   CarriedFrames(curve, how).write(parameters, out, side);
 }

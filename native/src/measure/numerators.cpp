@@ -104,7 +104,7 @@ Numerator wronskian(std::span<const glm::dvec3> points) {
 
 Numerator slope_of(std::span<const glm::dvec2> line) {
   if (is_plain(line)) return plain_slope(line);
-  // Of A / W the other way round: W A' - W' A.
+  // Of A / W in the other order: W A' - W' A.
   std::vector<glm::dvec2> turned;
   for (const glm::dvec2& p : line) turned.emplace_back(p.y, p.x);
   return wronskian(std::span<const glm::dvec2>(turned));

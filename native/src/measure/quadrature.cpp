@@ -42,7 +42,7 @@ class Source {
     found.net = bezier_piece(u.bezier_matrix(i), v.bezier_matrix(j), found.net.values.data(), found.net.columns);
     const auto [low, high] = found.net.range(&glm::dvec4::w);
     found.is_mixed = low <= 0.0 && high >= 0.0;
-    found.normalise();
+    found.normalize();
     return found;
   }
 

@@ -41,7 +41,7 @@ std::vector<glm::dvec2> line_of(const PlaneNet& net, Axis axis, std::size_t i) {
 
 std::size_t lines_along(const PlaneNet& net, Axis axis) { return net.values.size() / net.count(axis); }
 
-/// By how much the values of neighbours along a direction differ at most.
+/// By how much the values of neighbors along a direction differ at most.
 double unevenness(const PlaneNet& net, Axis axis) {
   double most = 0.0;
   for (std::size_t i = 0; i < lines_along(net, axis); ++i) {

@@ -83,7 +83,7 @@ bool SpeedPiece::is_even() const {
   return low > 0.0 ? high <= kMost * low : high < 0.0 && low >= kMost * high;
 }
 
-void SpeedPiece::normalise() {
+void SpeedPiece::normalize() {
   constexpr int kNear = 100;
   const auto [low, high] = weights.range();
   const double largest = std::max(-low, high);

@@ -35,7 +35,7 @@ struct SpeedPiece {
   bool is_even() const;
 
   /// Brings weights that are all large or small near 1: squares of N would leave the range of numbers.
-  void normalise();
+  void normalize();
 };
 
 /// Speeds of curves of one degree.

@@ -87,11 +87,11 @@ void SurfacePiece::halve(Axis axis, SurfacePiece& second) {
   second.extent = extent;
   second.is_mixed = is_mixed;
   net.halve(axis, second.net);
-  normalise();
-  second.normalise();
+  normalize();
+  second.normalize();
 }
 
-void SurfacePiece::normalise() {
+void SurfacePiece::normalize() {
   constexpr int kNear = 100;
   const auto [low, high] = net.range(&glm::dvec4::w);
   const double largest = std::max(-low, high);

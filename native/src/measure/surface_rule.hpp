@@ -44,7 +44,7 @@ struct SurfacePiece {
   void halve(Axis axis, SurfacePiece& second);
 
   /// Brings weights that are all small near 1.
-  void normalise();
+  void normalize();
 };
 
 /// The rules of Gauss and Kronrod of 10 and 21 nodes (Kronrod 1965; QUADPACK's QK21) on pieces of two degrees.

@@ -20,7 +20,7 @@ struct TreeBox {
 TreeBox around(std::span<const TreeBox> boxes);
 
 /// Boxes in groups of eight, groups in groups of eight, up to one: flat arrays, coordinate by coordinate, so that the
-/// boxes of a group are looked at together. Neighbours in the order given share groups.
+/// boxes of a group are looked at together. Neighbors in the order given share groups.
 class BoxTree {
  public:
   static constexpr std::size_t kGroup = kBoxGroup;

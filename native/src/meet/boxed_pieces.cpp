@@ -52,7 +52,7 @@ TurnedBoxGroup group_of(std::span<const PiecePart> parts) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const PieceBox& box = parts[i].box;
     for (int axis = 0; axis < 3; ++axis) {
-      group.centre[axis][i] = box.centre[axis];
+      group.center[axis][i] = box.center[axis];
       group.half[axis][i] = parts[i].is_boxed ? box.half[axis] : kEverywhere;
       for (int c = 0; c < 3; ++c) group.axes[axis][c][i] = box.axes[axis][c];
     }
@@ -60,7 +60,7 @@ TurnedBoxGroup group_of(std::span<const PiecePart> parts) {
   return group;
 }
 
-/// The bits of two numbers in turn: neighbours in a plane are mostly neighbours so (Morton 1966).
+/// The bits of two numbers in turn: neighbors in a plane are mostly neighbors so (Morton 1966).
 std::uint64_t interleaved(std::uint64_t a, std::uint64_t b) {
   std::uint64_t code = 0;
   for (int bit = 0; bit < 32; ++bit) code |= (a >> bit & 1U) << (2 * bit + 1) | (b >> bit & 1U) << (2 * bit);

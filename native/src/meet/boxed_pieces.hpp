@@ -38,7 +38,7 @@ class BoxedPieces {
   /// The homogeneous control points of a part, row after row; of a curve one column.
   const glm::dvec4* points(std::size_t part) const noexcept { return points_.data() + part * rows_ * columns_; }
 
-  /// The boxes of so many neighbours at once, and their tree, of which they are the leaves.
+  /// The boxes of so many neighbors at once, and their tree, of which they are the leaves.
   static constexpr std::size_t kGroup = kBoxGroup;
   std::span<const TurnedBoxGroup> groups() const noexcept { return groups_; }
   const BoxTree& tree() const noexcept { return tree_; }
@@ -48,7 +48,7 @@ class BoxedPieces {
 
   void cut(const Net& net, const std::array<Interval, 2>& domain, const std::array<Interval, 2>& range, int depth);
 
-  /// Neighbours on a patch come one after the other.
+  /// Neighbors on a patch come one after the other.
   /// @param codes  of parts: they are sorted by these
   void put_in_order(std::span<const std::uint64_t> codes);
   BoxTree tree_of_groups();

@@ -92,16 +92,16 @@ std::size_t CurveBundles::add(std::span<std::size_t> some) {
     take(middles, seen(hull.middle));
     for (std::size_t k = hull.first; k < hull.end; ++k) take(all, seen(points_[k]));
   }
-  glm::dvec3 centre(0.0);
+  glm::dvec3 center(0.0);
   glm::dvec3 half(kEverywhere);
   if (is_boxed) {
     const glm::dvec3 middle = 0.5 * all.low + 0.5 * all.high;
-    for (int k = 0; k < 3; ++k) centre += middle[k] * axes[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 3; ++k) center += middle[k] * axes[static_cast<std::size_t>(k)];
     half = 0.5 * (all.high - all.low);
   }
   const glm::dvec3 widths = middles.high - middles.low;
   const std::size_t widest = widths.x >= widths.y && widths.x >= widths.z ? 0 : widths.y >= widths.z ? 1 : 2;
-  bundles_.push_back({centre, axes, half, some.size(), some.front(), 0});
+  bundles_.push_back({center, axes, half, some.size(), some.front(), 0});
   if (some.size() == 1) {
     of_parts_[some.front()] = own;
     return own;
@@ -145,7 +145,7 @@ std::size_t CurveBundles::count_near(const CurveBundle& box, double distance) co
 }
 
 bool are_apart(const CurveBundle& a, const CurveBundle& b, double distance) {
-  const glm::dvec3 offset = b.centre - a.centre;
+  const glm::dvec3 offset = b.center - a.center;
   std::array<glm::dvec3, 3> slopes;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) slopes[i][j] = std::abs(glm::dot(a.axes[i], b.axes[j]));

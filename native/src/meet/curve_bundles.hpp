@@ -16,7 +16,7 @@ namespace splinecore {
 
 /// Parts of a curve that lie beside each other, in a box along them; or one part.
 struct CurveBundle {
-  glm::dvec3 centre;
+  glm::dvec3 center;
   std::array<glm::dvec3, 3> axes;
   glm::dvec3 half;      ///< infinite where a part runs through infinity
   std::size_t parts;    ///< how many

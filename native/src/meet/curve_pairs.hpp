@@ -21,7 +21,7 @@ struct CurveStretch {
 /// What two curves, or one with itself, have of places where they are within a tolerance of each other.
 struct PairFindings {
   std::vector<SpotPair> crossings;      ///< not in order, some more than once
-  std::vector<CurveStretch> stretches;  ///< not in order, neighbours apart
+  std::vector<CurveStretch> stretches;  ///< not in order, neighbors apart
 };
 
 PairFindings find_pairs(const CurvePieces& a, const CurvePieces& b, double tolerance);

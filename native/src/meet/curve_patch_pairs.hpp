@@ -32,7 +32,7 @@ struct CurveOnPatch {
 
 struct PiercePairFindings {
   std::vector<PierceSpot> crossings;    ///< not in order, some more than once
-  std::vector<CurveOnPatch> stretches;  ///< not in order, neighbours apart
+  std::vector<CurveOnPatch> stretches;  ///< not in order, neighbors apart
 };
 
 /// The place that Newton's method finds from there, of pieces that go on beyond their ends. @returns none if it finds none

@@ -39,7 +39,7 @@ bool turns_once(const double* coefficients, std::size_t count, std::size_t step,
 
 }  // namespace
 
-// A curve is a single row here: neighbours in a row are computed together.
+// A curve is a single row here: neighbors in a row are computed together.
 DistanceForm::DistanceForm(std::size_t rows, std::size_t columns)
     : rows_(columns == 1 ? 1 : rows), columns_(columns == 1 ? rows : columns),
       stride_((columns_ + kLanes - 1) / kLanes * kLanes), width_(columns_ + stride_), scaled_(4 * rows_ * stride_), row_(columns_),

@@ -52,7 +52,7 @@ class Farther {
   DistanceForm form_;
 };
 
-/// By what factor weights of neighbours differ at most along an axis.
+/// By what factor weights of neighbors differ at most along an axis.
 double weight_change(const Net& net, Axis axis) {
   const std::size_t step = axis == Axis::u ? net.columns : 1;
   double most = 1.0;

@@ -62,7 +62,7 @@ class IntersectionSearch {
       for (Place& p : places) {
         if (a_.place(p.at.a) > a_.place(p.at.b)) std::swap(p.at.a, p.at.b);
       }
-      std::erase_if(places, [&](const Place& p) { return is_neighbourhood(p.at); });
+      std::erase_if(places, [&](const Place& p) { return is_neighborhood(p.at); });
     }
     sort_by(places, [&](const Place& p) { return SortKey{a_.place(p.at.a), b().place(p.at.b)}; });
     std::vector<Place> known;
@@ -92,7 +92,7 @@ class IntersectionSearch {
 
   /// Whether the curve goes from one of two places of it to the other, or over its end, without leaving itself by more than
   /// the tolerance, as at a cusp.
-  bool is_neighbourhood(const SpotPair& at) const {
+  bool is_neighborhood(const SpotPair& at) const {
     if (a_.are_one(at.a, at.b, tolerance_)) return true;
     const double low = a_.place(at.a);
     const double high = a_.place(at.b);

@@ -198,7 +198,7 @@ void NearestSearch<kAxes>::look_at(const Waiting& waiting) {
   start.fill(0.5);
   const PieceBox& box = part.box;
   if (kAxes == 1 && part.is_boxed && box.half.x > 0.0) {
-    start[0] += std::clamp(glm::dot(box.axes[0], point_ - box.centre) / (2.0 * box.half.x), -0.5, 0.5);
+    start[0] += std::clamp(glm::dot(box.axes[0], point_ - box.center) / (2.0 * box.half.x), -0.5, 0.5);
   }
   look_into(part, pieces_.points(waiting.index), part.range, start, 0);
 }

@@ -49,7 +49,7 @@ struct Way {
 };
 
 /// Derivatives X' - S w' of parts whose points S are in a ball.
-std::vector<Way> ways_along(const std::vector<PatchPart>& parts, Axis axis, const glm::dvec3& centre, double radius) {
+std::vector<Way> ways_along(const std::vector<PatchPart>& parts, Axis axis, const glm::dvec3& center, double radius) {
   constexpr double kRounding = 0x1p-46;
   std::vector<Way> found;
   for (const PatchPart& part : parts) {
@@ -60,7 +60,7 @@ std::vector<Way> ways_along(const std::vector<PatchPart>& parts, Axis axis, cons
       for (std::size_t j = 0; j + (axis == Axis::v ? 1 : 0) < net.columns; ++j) {
         const std::size_t k = i * net.columns + j;
         const glm::dvec4 way = sign * (net.values[k + step] - net.values[k]);
-        const glm::dvec3 vector = glm::dvec3(way) - way.w * centre;
+        const glm::dvec3 vector = glm::dvec3(way) - way.w * center;
         const double slack = radius * std::abs(way.w);
         if (glm::length(vector) + slack > kRounding * std::abs(net.values[k].w)) found.push_back({vector, slack});
       }
@@ -122,13 +122,13 @@ bool is_one_sheet(const PatchPieces& patch, const std::array<Interval, 2>& range
       if (!parts.back().is_boxed) return false;
     }
   }
-  const glm::dvec3 centre = 0.5 * (parts.front().points.front() + parts.back().points.back());
+  const glm::dvec3 center = 0.5 * (parts.front().points.front() + parts.back().points.back());
   double radius = 0.0;
   for (const PatchPart& part : parts) {
-    for (const glm::dvec3& point : part.points) radius = std::max(radius, glm::distance(point, centre));
+    for (const glm::dvec3& point : part.points) radius = std::max(radius, glm::distance(point, center));
   }
-  const std::vector<Way> by_u = ways_along(parts, Axis::u, centre, radius);
-  const std::vector<Way> by_v = ways_along(parts, Axis::v, centre, radius);
+  const std::vector<Way> by_u = ways_along(parts, Axis::u, center, radius);
+  const std::vector<Way> by_v = ways_along(parts, Axis::v, center, radius);
   if (by_u.empty() || by_v.empty()) return false;
   const auto plane = SheetPlane::along(mean_of(by_u), mean_of(by_v));
   if (!plane) return false;

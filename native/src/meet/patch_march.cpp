@@ -47,7 +47,7 @@ class March {
   /// Where the curve came into a pair of pieces.
   struct Visit {
     std::size_t place;
-    double travelled;
+    double traveled;
   };
 
   const SectionPlace& last() const { return trace_.places.back(); }
@@ -211,7 +211,7 @@ class March {
     if (off > tolerance_) return shorter(std::min(share, 0.7));
     if (bulges_out(step)) return shorter(0.5);
     if (closes(step)) return false;
-    travelled_ += step.length;
+    traveled_ += step.length;
     trace_.places.push_back(next);
     length_ *= share;
     hops_ = 0;
@@ -222,7 +222,7 @@ class March {
   /// Where a step passes the place that the curve was begun at, or one at which it came into a piece before, it ends:
   /// of a loop that lies along a side of a piece no step need come into the piece that it was begun in.
   bool closes(const SectionStep& step) {
-    if (!(travelled_ > kSame)) return false;
+    if (!(traveled_ > kSame)) return false;
     if (const auto before = passed_before(step)) {
       end_at_itself(*before);
       return true;
@@ -258,7 +258,7 @@ class March {
     const auto visits = visits_.find({step.to.at.a.piece, step.to.at.b.piece});
     if (visits == visits_.end()) return {};
     const auto found = std::ranges::find_if(visits->second, [&](const Visit& visit) {
-      return travelled_ - visit.travelled > std::max(kSame, step.length) && is_passed(visit.place);
+      return traveled_ - visit.traveled > std::max(kSame, step.length) && is_passed(visit.place);
     });
     return found == visits->second.end() ? std::nullopt : std::optional(found->place);
   }
@@ -287,7 +287,7 @@ class March {
       const SectionStep step(last(), *first);
       if (error(step) > tolerance_ || bulges_out(step)) return shorter(0.7);
       if (closes(step)) return false;
-      travelled_ += step.length;
+      traveled_ += step.length;
       trace_.places.push_back(*first);
       hops_ = 0;
       // It was beyond the side by less than the tolerance, and comes back there.
@@ -414,7 +414,7 @@ class March {
     if (!runs_out(*there, i, is_end)) return contact_.kind == PatchContact::Kind::crossing ? false : lose();
     if (is_known_ && is_known_(*there)) return false;
     if (const auto before = visit_before(*there)) return end_at_itself(*before);
-    visits_[{at.a.piece, at.b.piece}].push_back({trace_.places.size(), travelled_});
+    visits_[{at.a.piece, at.b.piece}].push_back({trace_.places.size(), traveled_});
     trace_.places.push_back(*there);
     return true;
   }
@@ -484,7 +484,7 @@ class March {
   const std::function<bool(const SectionPlace&)>& is_known_;
   std::map<std::array<std::size_t, 2>, std::vector<Visit>> visits_;  ///< of each pair of pieces
   double length_ = kFirstStep;
-  double travelled_ = 0.0;
+  double traveled_ = 0.0;
   int hops_ = 0;
   int corners_ = 0;
   bool is_lost_ = false;

@@ -17,8 +17,8 @@ namespace {
 
 using HullPoints = std::span<const glm::dvec3>;
 
-/// Directions of the derivative of a rational piece: X' - S w' with S in a ball about `centre`.
-VectorCone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3& centre, double radius) {
+/// Directions of the derivative of a rational piece: X' - S w' with S in a ball about `center`.
+VectorCone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm::dvec3& center, double radius) {
   const std::size_t step = axis == Axis::u ? net.columns : 1;
   const std::size_t rows = axis == Axis::u ? net.rows - 1 : net.rows;
   const std::size_t columns = axis == Axis::v ? net.columns - 1 : net.columns;
@@ -26,7 +26,7 @@ VectorCone cone_along(const BernsteinNet<glm::dvec4>& net, Axis axis, const glm:
   const auto way_at = [&](std::size_t i, std::size_t j) {
     const std::size_t k = i * net.columns + j;
     const glm::dvec4 way = sign * (net.values[k + step] - net.values[k]);
-    return glm::dvec4(glm::dvec3(way) - way.w * centre, radius * std::abs(way.w));  // and how far the ball makes it wrong
+    return glm::dvec4(glm::dvec3(way) - way.w * center, radius * std::abs(way.w));  // and how far the ball makes it wrong
   };
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < rows; ++i) {
@@ -97,10 +97,10 @@ PatchPart::PatchPart(std::size_t of_piece, const std::array<Interval, 2>& of_ran
 VectorCone PatchPart::tangent_cone(Axis axis) const {
   if (!is_boxed) return {};
   const std::size_t last_row = points.size() - net.columns;
-  const glm::dvec3 centre = 0.25 * (points.front() + points[net.columns - 1] + points[last_row] + points.back());
+  const glm::dvec3 center = 0.25 * (points.front() + points[net.columns - 1] + points[last_row] + points.back());
   double square = 0.0;
-  for (const glm::dvec3& p : points) square = std::max(square, glm::dot(p - centre, p - centre));
-  return cone_along(net, axis, centre, std::sqrt(square));
+  for (const glm::dvec3& p : points) square = std::max(square, glm::dot(p - center, p - center));
+  return cone_along(net, axis, center, std::sqrt(square));
 }
 
 /// Tangents along u within `a`, along v within `b` of two unit vectors whose cross product is as long as the sine of their

@@ -20,7 +20,7 @@ class PatchPlaces {
   const NearPatch& patch() const noexcept { return patch_; }
   double near_limit() const noexcept { return near_limit_; }
 
-  /// Where both derivatives of the distance are zero. The same place in a neighbour is one.
+  /// Where both derivatives of the distance are zero. The same place in a neighbor is one.
   /// @param reach  in the piece's own parameters, within which other places are this one
   void add_inner(const PiecePlace& place, double reach);
 

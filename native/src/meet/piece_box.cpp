@@ -52,7 +52,7 @@ PieceBox piece_box(const Net& net) {
   }
   const glm::dvec3 middle = 0.5 * (low + high);
   box.half = 0.5 * (high - low);
-  box.centre = origin + middle.x * box.axes[0] + middle.y * box.axes[1] + middle.z * box.axes[2];
+  box.center = origin + middle.x * box.axes[0] + middle.y * box.axes[1] + middle.z * box.axes[2];
   return box;
 }
 

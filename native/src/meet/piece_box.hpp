@@ -14,7 +14,7 @@ namespace splinecore {
 
 /// A box along a piece whose weights have one sign: the hull property has the piece in it.
 struct PieceBox {
-  glm::dvec3 centre{0.0};
+  glm::dvec3 center{0.0};
   std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
   glm::dvec3 half{0.0};
 };

@@ -32,7 +32,7 @@ bool crosses_zero(const SlopeForm& form) noexcept {
   return low < -form.noise && high > form.noise;
 }
 
-/// The least and the greatest of differences of neighbours along an axis, times the degree.
+/// The least and the greatest of differences of neighbors along an axis, times the degree.
 std::pair<double, double> slope_range(const ScalarNet& net, Axis axis) noexcept {
   const std::size_t step = axis == Axis::u ? net.columns : 1;
   const std::size_t rows = axis == Axis::u ? net.rows - 1 : net.rows;

@@ -135,7 +135,7 @@ std::vector<std::optional<std::size_t>> partners(const std::vector<double>& a, c
   return found;
 }
 
-/// Compares the points between two neighbours among the knots of either.
+/// Compares the points between two neighbors among the knots of either.
 bool is_near_between(const SideWalk& a, double end_a, const SideWalk& b, double end_b) {
   const double tolerance = std::max(a.side.tolerance, b.side.tolerance);
   const int count = a.side.degree + b.side.degree + 1;

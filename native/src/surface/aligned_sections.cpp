@@ -128,7 +128,7 @@ std::vector<SectionTurn> turns_of(const std::vector<NurbsCurve>& curves) {
 
 double turn_left(const NurbsCurve& last, const NurbsCurve& first) {
   constexpr double kSeen = 0.2;      // radians more than need be: less is no harm
-  constexpr double kReversed = 1.0;  // few sections about a ring may lie as near the other way round
+  constexpr double kReversed = 1.0;  // few sections about a ring may lie as near in the other order
   const BestTurn closing = best_turn(last, first);
   const double more = closing.angle_as_it_is - closing.angle;
   SharedStarts shared;
@@ -137,7 +137,7 @@ double turn_left(const NurbsCurve& last, const NurbsCurve& first) {
   if (turn.is_reversed ? more <= kReversed : !turn.seam || more <= kSeen) return 0.0;
   if (turn.is_reversed || (last.periodic() && begins_at_corner(last) && !corners_above(first, kSeen).empty())) {
     throw InvalidShape(
-        "going round, the sections come back turned: the last one runs beside the first one as that would run from another "
+        "around the loop the sections come back turned: the last one runs beside the first one as that would run from another "
         "beginning, or backwards. An open loft, or sections that turn by whole turns, can be made; so can they as they are, "
         "unaligned");
   }

@@ -14,7 +14,7 @@ namespace splinecore {
 
 namespace {
 
-bool has_neighbour(const HolePlace& place) { return place.out != glm::dvec3(0.0); }
+bool has_neighbor(const HolePlace& place) { return place.out != glm::dvec3(0.0); }
 
 /// c + factor (rise . way) = height: what a place says of the apex, by its height over the plane and the rise there.
 struct Expectation {
@@ -30,7 +30,7 @@ double weight_of(const glm::dvec3& way, double length, double size) {
   return length * near * near * near * near;
 }
 
-/// Towards the middle, in the neighbour's plane and straight over the way there, as seen along the axis.
+/// Towards the middle, in the neighbor's plane and straight over the way there, as seen along the axis.
 glm::dvec3 onward(const HolePlace& place, const glm::dvec3& inwards, const glm::dvec3& axis) {
   const glm::dvec3 across = place.out - place.along * (glm::dot(place.out, place.along) / glm::dot(place.along, place.along));
   const glm::dvec3 found = glm::cross(glm::cross(place.out, place.along), glm::cross(axis, inwards));
@@ -44,7 +44,7 @@ Expectation expectation_at(const HolePlace& place, double length, const HolePlan
   const glm::dvec3 way = off - height * axis;
   const double weight = weight_of(way, length, plane.size);
   const double distance = length_of(way);
-  if (!has_neighbour(place) || distance == 0.0) return {way, 1.0, height, weight};
+  if (!has_neighbor(place) || distance == 0.0) return {way, 1.0, height, weight};
   const glm::dvec3 inwards = -way / distance;
   const glm::dvec3 leaves = onward(place, inwards, axis);
   const double rise = glm::dot(leaves, plane.normal);
@@ -53,7 +53,7 @@ Expectation expectation_at(const HolePlace& place, double length, const HolePlan
   return {way, 0.5, height + distance * half, weight};
 }
 
-/// The way to the point in which all neighbours' planes meet, as nearly as may be, also where that is far away or below; as long
+/// The way to the point in which all neighbors' planes meet, as nearly as may be, also where that is far away or below; as long
 /// as it rises by 1 over the plane. The plane's normal as far as these say nothing.
 glm::dvec3 axis_of(const std::vector<HolePlace>& places, const std::vector<double>& lengths, const HolePlane& plane) {
   constexpr double kSlight = 1e-3;  // of the sum of the lengths
@@ -114,7 +114,7 @@ double stretch_of(const glm::dvec3& start, const glm::dvec3& end) {
 }
 
 double arriving_stretch(const HolePlace& place, const Apex& apex) {
-  if (!has_neighbour(place)) return 1.0;
+  if (!has_neighbor(place)) return 1.0;
   const glm::dvec3 end = apex.arriving(place.point);
   return stretch_of(leaving(place, apex), end) * glm::dot(apex.point - place.point, end) / glm::dot(end, end);
 }
@@ -125,7 +125,7 @@ glm::dvec3 leaving(const HolePlace& place, const Apex& apex) {
   const double least = apex.leaving == LeavingWay::straight_on ? 0.2 : 0.0;
   const glm::dvec3 chord = apex.point - place.point;
   const glm::dvec3 inwards = apex.seen(chord);
-  if (!has_neighbour(place) || inwards == glm::dvec3(0.0)) return chord;
+  if (!has_neighbor(place) || inwards == glm::dvec3(0.0)) return chord;
   const glm::dvec3 normal = glm::normalize(glm::cross(place.out, place.along));
   const glm::dvec3 way = apex.leaving == LeavingWay::straight_on ? onward(place, inwards / length_of(inwards), apex.axis)
                                                               : chord - normal * glm::dot(normal, chord);
@@ -183,20 +183,20 @@ std::optional<Apex> apex_along(const HolePlane& plane, const glm::dvec3& axis, c
   return apex;
 }
 
-/// Whether lines to the apex leave all neighbours onward, not back over them or nearly along the side.
+/// Whether lines to the apex leave all neighbors onward, not back over them or nearly along the side.
 bool leave_onward(const std::vector<HolePlace>& places, const Apex& apex) {
   constexpr double kLeast = 0.1;
   return std::ranges::all_of(places, [&](const HolePlace& place) {
     const glm::dvec3 normal = glm::cross(place.out, place.along);
     const glm::dvec3 leaves = leaving(place, apex);
     const double across = glm::dot(glm::cross(leaves, place.along), normal);
-    return !has_neighbour(place) || across >= kLeast * length_of(leaves) * length_of(place.along) * length_of(normal);
+    return !has_neighbor(place) || across >= kLeast * length_of(leaves) * length_of(place.along) * length_of(normal);
   });
 }
 
 }  // namespace
 
-/// As far along the axis that the neighbours have in common as lets all lines leave onward.
+/// As far along the axis that the neighbors have in common as lets all lines leave onward.
 std::optional<Apex> apex_over(const HolePlane& plane, const std::vector<std::vector<HolePlace>>& sides, LeavingWay leaving) {
   constexpr int kParts = 4;
   const AllPlaces all = all_places(sides);

@@ -11,7 +11,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// In a neighbour's plane: seen along the axis straight on to the apex, or as near to that as may be.
+/// In a neighbor's plane: seen along the axis straight on to the apex, or as near to that as may be.
 enum class LeavingWay { straight_on, nearest };
 
 /// Where the surface in a round hole is highest over it, more or less: lines from all sides run together there.
@@ -39,11 +39,11 @@ struct Apex {
   }
 };
 
-/// How fast a line leaves a place, by t from 0 to 1, to go on to the apex in the neighbour's plane: as a circle does that
-/// turns as far, or an ellipse that it is seen as. Straight on without a neighbour.
+/// How fast a line leaves a place, by t from 0 to 1, to go on to the apex in the neighbor's plane: as a circle does that
+/// turns as far, or an ellipse that it is seen as. Straight on without a neighbor.
 glm::dvec3 leaving(const HolePlace& place, const Apex& apex);
 
-/// The apex that neighbours let expect: lines from all round, that leave in their planes at right angles to the sides, come
+/// The apex that neighbors let expect: lines from all round, that leave in their planes at right angles to the sides, come
 /// to it along circles, as nearly as one point and one tangent plane allow.
 /// @throws InvalidShape where the hole lies over no plane, or is not seen whole from its middle
 Apex apex_of(const Hole& hole, LeavingWay leaving);

@@ -21,12 +21,12 @@ constexpr std::size_t kNumbers = 10;
 using Numbers = std::array<double, kNumbers>;
 
 BallArc arc_of(const Contact& contact) {
-  return {contact.first, contact.second, contact.circle_centre, contact.circle_radius};
+  return {contact.first, contact.second, contact.circle_center, contact.circle_radius};
 }
 
 Numbers numbers_of(const BallArc& arc) {
   return {arc.first.x,  arc.first.y,  arc.first.z,  arc.second.x, arc.second.y,
-          arc.second.z, arc.centre.x, arc.centre.y, arc.centre.z, arc.radius};
+          arc.second.z, arc.center.x, arc.center.y, arc.center.z, arc.radius};
 }
 
 BallArc arc_with(const Numbers& n) { return {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, n[9]}; }
@@ -71,9 +71,9 @@ const Nodes& nodes() {
 }  // namespace
 
 glm::dvec3 BallArc::at(double v) const {
-  const glm::dvec3 middle = (first - centre) + (second - centre);
+  const glm::dvec3 middle = (first - center) + (second - center);
   const double half = 0.5 * length_of(middle) / radius;  // cosine of half the angle
-  const glm::dvec3 tip = half * centre + middle / (2.0 * half);
+  const glm::dvec3 tip = half * center + middle / (2.0 * half);
   const double a = (1.0 - v) * (1.0 - v);
   const double b = v * v;
   const double between = 2.0 * v * (1.0 - v);

@@ -13,7 +13,7 @@ namespace splinecore {
 struct BallArc {
   glm::dvec3 first;
   glm::dvec3 second;
-  glm::dvec3 centre;
+  glm::dvec3 center;
   double radius;
 
   /// A point of it, as a conic has it: from the first contact at v = 0 to the second one at 1.

@@ -35,14 +35,14 @@ PlaceAlong place_at(const NurbsCurve& curve, double at) {
   return place;
 }
 
-/// How a closed side of a neighbour lies to the end of a blend that begins elsewhere.
+/// How a closed side of a neighbor lies to the end of a blend that begins elsewhere.
 struct SeamTurn {
   double later;      ///< by how much of the period it begins later, from -1/2 to 1/2
   bool is_reversed;  ///< it runs the other way
 };
 
 /// @returns none where it begins where the blend does
-std::optional<SeamTurn> turn_at_end(const NurbsPatch& blend, const LoftNeighbour& to) {
+std::optional<SeamTurn> turn_at_end(const NurbsPatch& blend, const LoftNeighbor& to) {
   constexpr double kSame = 0x1p-30;
   const NurbsCurve end = boundary(blend, Border::v_end);
   if (!end.periodic()) return {};
@@ -60,7 +60,7 @@ std::optional<SeamTurn> turn_at_end(const NurbsPatch& blend, const LoftNeighbour
 double rise(double t) { return t * t * t * t * (35.0 - t * (84.0 - t * (70.0 - 20.0 * t))); }
 
 /// The same surface, but for little, run through so that its lines across end where the side of the second patch begins.
-NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbour& from, LoftNeighbour to, const SeamTurn& turn) {
+NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbor& from, LoftNeighbor to, const SeamTurn& turn) {
   constexpr int kLeast = 8;
   constexpr double kMore = 24.0;     // sections for a whole turn
   constexpr double kMoved = 0x1p-14;  // of the size, for few knots
@@ -83,18 +83,18 @@ NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbour& from, Lo
   }
   options.parameters.push_back(1.0);
   if (turn.is_reversed) to.patch = reversed(to.patch, axis_of(to.side) == Axis::u ? Axis::v : Axis::u);
-  options.start.neighbour = from;
-  options.end.neighbour = std::move(to);
+  options.start.neighbor = from;
+  options.end.neighbor = std::move(to);
   return loft(sections, options).value;
 }
 
 }  // namespace
 
-NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned) {
+NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned) {
   LoftOptions options;
   options.is_aligned = is_aligned;
-  options.start.neighbour = from;
-  options.end.neighbour = to;
+  options.start.neighbor = from;
+  options.end.neighbor = to;
   NurbsPatch made = loft({}, options).value;
   if (is_aligned) {
     if (const auto turn = turn_at_end(made, to)) made = turned_to_seam(made, from, to, *turn);

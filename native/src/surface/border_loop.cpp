@@ -24,7 +24,7 @@ std::vector<NurbsCurve> clamped_curves(std::span<const NurbsCurve> curves) {
   std::vector<NurbsCurve> made;
   for (const NurbsCurve& curve : curves) {
     const std::string name = "sides" + index_text(made.size());
-    if (curve.periodic()) throw InvalidShape(name + " is closed: a side begins and ends at its neighbours");
+    if (curve.periodic()) throw InvalidShape(name + " is closed: a side begins and ends at its neighbors");
     made.push_back(clamped(curve));
     if (made.back().points().front().w == 0.0 || made.back().points().back().w == 0.0) {
       throw InvalidShape(name + " ends at infinity");

@@ -46,11 +46,11 @@ double reach_of(const NurbsPatch& loft) {
   return of_all / of_sides;
 }
 
-/// Those of the loft's neighbours that it goes on from by more than their sides.
-std::vector<LoftNeighbour*> followed(LoftOptions& options) {
-  std::vector<LoftNeighbour*> found;
+/// Those of the loft's neighbors that it goes on from by more than their sides.
+std::vector<LoftNeighbor*> followed(LoftOptions& options) {
+  std::vector<LoftNeighbor*> found;
   for (LoftEnd* const end : {&options.start, &options.end}) {
-    if (end->neighbour && end->neighbour->continuity > 0) found.push_back(&*end->neighbour);
+    if (end->neighbor && end->neighbor->continuity > 0) found.push_back(&*end->neighbor);
   }
   return found;
 }
@@ -58,7 +58,7 @@ std::vector<LoftNeighbour*> followed(LoftOptions& options) {
 /// How far a loft may reach, by how far its sides do: as a few of those that go on with tangent planes alone.
 double most_reach(LoftOptions options, const MadeLoft& make) {
   constexpr double kMost = 3.0;
-  for (LoftNeighbour* const one : followed(options)) one->continuity = 1;
+  for (LoftNeighbor* const one : followed(options)) one->continuity = 1;
   return kMost * std::max(1.0, reach_of(make(options).value));
 }
 
@@ -66,9 +66,9 @@ double most_reach(LoftOptions options, const MadeLoft& make) {
 
 Approximation<NurbsPatch> calm_loft(LoftOptions options, const MadeLoft& make) {
   constexpr int kHalvings = 8;
-  const std::vector<LoftNeighbour*> neighbours = followed(options);
-  if (neighbours.empty()) return make(options);
-  const bool are_bent = std::ranges::any_of(neighbours, [](const LoftNeighbour* one) { return one->continuity > 1; });
+  const std::vector<LoftNeighbor*> neighbors = followed(options);
+  if (neighbors.empty()) return make(options);
+  const bool are_bent = std::ranges::any_of(neighbors, [](const LoftNeighbor* one) { return one->continuity > 1; });
   std::exception_ptr refusal;
   std::optional<double> most;
   double reach = 0.0;
@@ -82,10 +82,10 @@ Approximation<NurbsPatch> calm_loft(LoftOptions options, const MadeLoft& make) {
     } catch (const InvalidShape&) {
       if (!refusal) refusal = std::current_exception();
     }
-    for (LoftNeighbour* const one : neighbours) one->strength *= 0.5;
+    for (LoftNeighbor* const one : neighbors) one->strength *= 0.5;
   }
   if (refusal) std::rethrow_exception(refusal);
-  throw InvalidShape("beside a side a neighbour bends so sharply that what goes on from it would shoot out, " + text_of(reach) +
+  throw InvalidShape("a neighbor bends so sharply at a side that its continuation would shoot out, " + text_of(reach) +
                      " times as far as the sides reach: a lower continuity has less of that");
 }
 

@@ -9,7 +9,7 @@ namespace splinecore {
 
 using MadeLoft = std::function<Approximation<NurbsPatch>(const LoftOptions&)>;
 
-/// A loft that follows its neighbours as far as the options say, or less: where they bend so sharply beside their sides that what goes on
+/// A loft that follows its neighbors as far as the options say, or less: where they bend so sharply beside their sides that what goes on
 /// from there would shoot out, or their weights fall so fast that some would not stay positive.
 Approximation<NurbsPatch> calm_loft(LoftOptions options, const MadeLoft& make);
 

@@ -96,7 +96,7 @@ OpenSides open_sides(std::span<const NurbsPatch> patches) {
   const std::vector<Panel> panels = panels_of(set);
   const std::vector<int> counts = side_counts(panels);
   OpenSides found{std::vector<std::array<int, 4>>(patches.size()), std::vector<std::array<int, 4>>(patches.size())};
-  if (panels.size() != patches.size()) throw InvalidShape("a patch is in several pieces: they have open ends of their own");
+  if (panels.size() != patches.size()) throw InvalidShape("a patch is in several pieces, and each has open ends");
   for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
       found.edges[panel.patch][side] = panel.sides[side].edge;
@@ -317,7 +317,7 @@ std::vector<Cap> caps_of(Capping& capping) {
     const bool is_turned = caps.size() < capping.ends.size();
     if (!is_turned && count == capping.patches.size()) return caps;
     turns += is_turned;
-    if (turns > capping.patches.size()) throw InvalidShape("what is between the ends has no outside: normals would be on both sides");
+    if (turns > capping.patches.size()) throw InvalidShape("the patches between the ends have no outside: normals would point to both sides");
   }
 }
 
@@ -386,7 +386,7 @@ std::vector<OpenEnd> open_ends(std::span<const NurbsPatch> patches) {
       std::optional<std::size_t> next;
       for (std::size_t i = 0; i < open.size(); ++i) {
         const bool is_beside = !is_taken[i] && (distance_of(places[i][0], at) <= same || distance_of(places[i][1], at) <= same);
-        if (is_beside && next) throw InvalidShape("more than two open sides end in one point: it cannot be told what goes round an end");
+        if (is_beside && next) throw InvalidShape("more than two open sides end in one point: the sides around an end are ambiguous");
         if (is_beside) next = i;
       }
       if (!next) throw InvalidShape("an open side of patch " + std::to_string(open[first].patch) + " ends where no other one does");

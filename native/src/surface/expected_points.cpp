@@ -48,7 +48,7 @@ Terms terms_along(const glm::dvec3& p, const glm::dvec3& way) {
   return terms;
 }
 
-/// The polynomial's factors; none where a neighbour stands too steeply over the plane.
+/// The polynomial's factors; none where a neighbor stands too steeply over the plane.
 std::optional<Eigen::Matrix<double, kTerms, 1>> heights_of(const std::vector<std::vector<HolePlace>>& sides, const HolePlane& plane) {
   constexpr double kSteep = 0.15;
   constexpr double kDependent = 1e-4;
@@ -99,10 +99,10 @@ std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePla
   return found;
 }
 
-/// A border, and if a neighbour says how the patch leaves it, the derivative by the other parameter.
-LeftBorder left_border(const NurbsPatch& patch, Border border, bool has_neighbour) {
+/// A border, and if a neighbor says how the patch leaves it, the derivative by the other parameter.
+LeftBorder left_border(const NurbsPatch& patch, Border border, bool has_neighbor) {
   LeftBorder made{boundary(patch, border), {}};
-  if (!has_neighbour) return made;
+  if (!has_neighbor) return made;
   std::vector<glm::dvec4> vectors;
   for (const glm::dvec4& out : derivative_out(ribbon_of(patch, border), 1)) {
     vectors.emplace_back(is_at_end(border) ? glm::dvec3(out) : -glm::dvec3(out), 1.0);
@@ -127,8 +127,8 @@ std::vector<glm::dvec3> bicubic_points(const Hole& hole, const Star& star, const
 }  // namespace
 
 std::vector<glm::dvec3> expected_points(const Hole& hole, const Star& star, std::span<const NurbsPatch> patches) {
-  const auto has_neighbour = [](const HoleSide& side) { return side.continuity() > 0; };
-  if (std::ranges::none_of(hole.sides, has_neighbour)) return {};
+  const auto has_neighbor = [](const HoleSide& side) { return side.continuity() > 0; };
+  if (std::ranges::none_of(hole.sides, has_neighbor)) return {};
   if (star.count() == 1) return bicubic_points(hole, star, patches[0]);
   std::vector<std::vector<HolePlace>> sides;
   for (const HoleSide& side : hole.sides) sides.push_back(places_along(side));

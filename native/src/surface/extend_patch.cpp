@@ -80,11 +80,11 @@ class Longer {
     double reached = length(domain_.end + step);
     while (reached > wanted) {
       step *= 0.25;
-      if (!(domain_.end + step > domain_.end)) throw InvalidShape("the surface runs to infinity at its side: nothing goes on from there");
+      if (!(domain_.end + step > domain_.end)) throw InvalidShape("the surface runs to infinity at its side: it cannot be continued there");
       reached = length(domain_.end + step);
     }
     for (int i = 0; reached < wanted; ++i) {
-      if (i == kDoublings || !(reached > 0.0)) throw InvalidShape("the surface stands still at its side: nothing goes on from there");
+      if (i == kDoublings || !(reached > 0.0)) throw InvalidShape("the surface has a zero derivative across its side: it cannot be continued there");
       low = step;
       const double next = std::min(2.0, 1.5 * wanted / reached);
       step *= std::max(next, 1.01);
@@ -100,7 +100,7 @@ class Longer {
       (there < wanted ? low : step) = middle;
       (there < wanted ? at_low : reached) = there;
     }
-    if (!std::isfinite(length(domain_.end + step))) throw InvalidShape("the surface runs to infinity before it is so much longer");
+    if (!std::isfinite(length(domain_.end + step))) throw InvalidShape("the surface runs to infinity within that length");
     return domain_.end + step;
   }
 
@@ -127,14 +127,14 @@ NurbsPatch turned(const NurbsPatch& patch, Axis axis, const Interval& domain) {
 NurbsPatch extended(const NurbsPatch& patch, Border side, double length, Extension how) {
   const Axis axis = axis_of(side);
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the length is not above 0");
-  if (how == Extension::arc) throw InvalidShape("a surface goes on naturally or straight, not by arcs");
+  if (how == Extension::arc) throw InvalidShape("a surface is extended naturally or straight, not by arcs");
   constexpr double kRange = 0x1p40;
   const double size = NearSpace(patch.points()).length(1.0);
   if (length > kRange * size || length < size / kRange) {
     throw InvalidShape("the length " + text_of(length) + " is too " + (length > size ? "long" : "short") + " for a surface about " +
                        text_of(size) + " large");
   }
-  if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to go on from");
+  if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to extend");
   const Interval domain = patch.knot_vector(axis).domain();
   if (!is_at_end(side)) {
     const NurbsPatch back = extended(turned(patch, axis, domain), axis == Axis::u ? Border::u_end : Border::v_end, length, how);

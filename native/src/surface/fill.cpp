@@ -29,8 +29,8 @@ namespace splinecore {
 namespace {
 
 const NurbsPatch* patch_of(const FillSide& side) {
-  const auto* neighbour = std::get_if<LoftNeighbour>(&side);
-  return neighbour ? &neighbour->patch : nullptr;
+  const auto* neighbor = std::get_if<LoftNeighbor>(&side);
+  return neighbor ? &neighbor->patch : nullptr;
 }
 
 std::vector<glm::dvec4> points_of(std::span<const FillSide> sides) {
@@ -50,12 +50,12 @@ void require_sides(std::span<const FillSide> sides, const FillOptions& options) 
     throw InvalidShape("a hole of " + std::to_string(sides.size()) + " sides: 3 to 8 are expected");
   }
   for (const FillSide& side : sides) {
-    const auto* neighbour = std::get_if<LoftNeighbour>(&side);
-    if (neighbour && (neighbour->continuity < 0 || neighbour->continuity > 2)) {
-      throw InvalidShape("continuity " + std::to_string(neighbour->continuity) + " of a filling: 0 to 2 is expected");
+    const auto* neighbor = std::get_if<LoftNeighbor>(&side);
+    if (neighbor && (neighbor->continuity < 0 || neighbor->continuity > 2)) {
+      throw InvalidShape("continuity " + std::to_string(neighbor->continuity) + " of a filling: 0 to 2 is expected");
     }
-    if (neighbour && neighbour->patch.knot_vector(axis_of(neighbour->side)).periodic()) {
-      throw InvalidShape("the side of a neighbour is the seam of a periodic direction: it is no edge");
+    if (neighbor && neighbor->patch.knot_vector(axis_of(neighbor->side)).periodic()) {
+      throw InvalidShape("the side of a neighbor is the seam of a periodic direction: it is not an edge");
     }
   }
   if (options.tolerance) require_tolerance(*options.tolerance);
@@ -64,15 +64,15 @@ void require_sides(std::span<const FillSide> sides, const FillOptions& options) 
 
 FillSide entered(const FillSide& side, const NearSpace& space) {
   if (const auto* curve = std::get_if<NurbsCurve>(&side)) return curve->with_points(space.enter(curve->points()));
-  LoftNeighbour neighbour = std::get<LoftNeighbour>(side);
-  neighbour.patch = neighbour.patch.with_points(space.enter(neighbour.patch.points()));
-  return neighbour;
+  LoftNeighbor neighbor = std::get<LoftNeighbor>(side);
+  neighbor.patch = neighbor.patch.with_points(space.enter(neighbor.patch.points()));
+  return neighbor;
 }
 
 NurbsCurve curve_of(const FillSide& side) {
   if (const auto* curve = std::get_if<NurbsCurve>(&side)) return *curve;
-  const auto& neighbour = std::get<LoftNeighbour>(side);
-  return boundary(neighbour.patch, neighbour.side);
+  const auto& neighbor = std::get<LoftNeighbor>(side);
+  return boundary(neighbor.patch, neighbor.side);
 }
 
 /// The lowest degree of patches with the sides of a hole, weights and all; at least 3.
@@ -88,7 +88,7 @@ bool is_less(double angle, double other) {
   return angle < kAbout * other;
 }
 
-/// One patch that has its sides exactly, of as low a degree as its neighbours allow; where that is none, of those the one with the
+/// One patch that has its sides exactly, of as low a degree as its neighbors allow; where that is none, of those the one with the
 /// least angle to them. None without such a patch.
 std::optional<Filling> exactly_bordered(const Hole& hole, const FillLimits& limits) {
   const auto goes_on = [](const HoleSide& side) { return side.continuity() == 1; };
@@ -294,9 +294,9 @@ void require_unfolded(const Hole& hole, const Filling& filling, const FillLimits
   constexpr double kUpright = 0.5 * std::numbers::pi;
   if (filling.angle > kUpright) {
     const std::string name = worst_side(hole, filling, [](const Filling& seen) { return seen.angle; });
-    throw InvalidShape("the filling would turn back over the neighbour of " + name + ": no surface goes on there without a fold");
+    throw InvalidShape("the filling would turn back over the neighbor of " + name + ": every surface there would fold");
   }
-  const std::string why = ": its sides, or what goes on from their neighbours, leave no surface without a fold";
+  const std::string why = ": its sides, or the continuations of their neighbors, leave no surface without a fold";
   for (const NurbsPatch& patch : filling.patches) {
     const std::optional<glm::dvec3> fold = fold_of(patch, limits.gap);
     if (!fold) continue;
@@ -322,9 +322,9 @@ Filling fill_near(std::span<const FillSide> sides, const FillLimits& limits, con
   const BorderLoop loop = border_loop(curves, limits.gap);
   std::vector<SidePiece> pieces;
   for (std::size_t i = 0; i < sides.size(); ++i) {
-    const auto* neighbour = std::get_if<LoftNeighbour>(&sides[i]);
-    const bool goes_on = neighbour && neighbour->continuity > 0;
-    pieces.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbour) : std::nullopt, i);
+    const auto* neighbor = std::get_if<LoftNeighbor>(&sides[i]);
+    const bool goes_on = neighbor && neighbor->continuity > 0;
+    pieces.emplace_back(loop.curves[i], goes_on ? std::optional(*neighbor) : std::nullopt, i);
   }
   Hole hole = hole_of(pieces);
   Filling filling = filled(hole, limits);

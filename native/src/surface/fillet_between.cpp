@@ -108,9 +108,9 @@ std::vector<double> weights_at(const std::vector<glm::dvec4>& side, const Sample
 
 /// The middle of the arc between both contacts of three homogeneous points, of which the outer ones have weight 1.
 glm::dvec4 tip_of(const Contact& contact) {
-  const glm::dvec3 middle = (contact.first - contact.circle_centre) + (contact.second - contact.circle_centre);
+  const glm::dvec3 middle = (contact.first - contact.circle_center) + (contact.second - contact.circle_center);
   const double half = 0.5 * length_of(middle) / contact.circle_radius;  // cosine of half the angle
-  const glm::dvec3 tip = contact.circle_centre + middle / (2.0 * half * half);
+  const glm::dvec3 tip = contact.circle_center + middle / (2.0 * half * half);
   return {half * tip, half};
 }
 
@@ -136,7 +136,7 @@ class FilletFit {
       const std::vector<double> missed = missed_spans(made, kSeen * tolerance, largest);
       if (missed.empty()) return {first_, made, second_, largest / kSeen};
       if (side_points(first_).size() + missed.size() > kMost) {
-        throw ToleranceNotReached("the fillet cannot be had", tolerance, largest);
+        throw ToleranceNotReached("no fillet fits", tolerance, largest);
       }
       refine_both(missed);
     }
@@ -214,7 +214,7 @@ class FilletFit {
 
   static double off_ball(std::span<const glm::dvec3> row, const Contact& contact) {
     double off = std::max(distance_of(row.front(), contact.first), distance_of(row.back(), contact.second));
-    for (const glm::dvec3& point : row) off = std::max(off, std::abs(distance_of(point, contact.centre) - contact.radius));
+    for (const glm::dvec3& point : row) off = std::max(off, std::abs(distance_of(point, contact.center) - contact.radius));
     return off;
   }
 
@@ -280,7 +280,7 @@ Approximation<NurbsPatch> fitted_across(const NurbsPatch& model, const RollingBa
   } catch (const SurfaceMissed& missed) {
     const double shares[] = {missed.v};
     const double u = ball.between(missed.u, end_of(missed.u), shares)[0];
-    throw ToleranceNotReached("the fillet, " + bend_at(ball, u) + ", and slants across there, cannot be had", whole,
+    throw ToleranceNotReached("the fillet, " + bend_at(ball, u) + ", and slants across there, does not fit", whole,
                               missed.error() / kShare);
   }
 }
@@ -301,7 +301,7 @@ FilletBetween slanted_fillet(const NurbsPatch& first, const NurbsPatch& second, 
                                 largest_distance(boundary(made.value, Border::v_end), boundary(left_b, Border::v_start)));
   const double error = made.error + moved;
   if (error > tolerance) {
-    throw ToleranceNotReached("the fillet cannot be had between what is left of the patches", tolerance, error);
+    throw ToleranceNotReached("no fillet fits between the trimmed patches", tolerance, error);
   }
   return {left_a, with_sides(made.value, side_points(left_a), side_points(left_b)), left_b, error};
 }

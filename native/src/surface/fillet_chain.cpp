@@ -33,10 +33,10 @@ struct TurnedPatch {
 };
 
 TurnedPatch turned(const NurbsPatch& patch, Border side, bool is_reversed) {
-  if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("a side is the seam of a periodic direction: it is no edge");
+  if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("a side is the seam of a periodic direction: it is not an edge");
   NurbsPatch made = with_side_first(patch, side);
   if (is_reversed) made = reversed(made, Axis::u);
-  if (made.knot_vector(Axis::u).periodic()) throw InvalidShape("an edge of the chain is closed: it is rounded by itself");
+  if (made.knot_vector(Axis::u).periodic()) throw InvalidShape("an edge of the chain is closed: round it alone");
   made = clamped(clamped(made, Axis::u), Axis::v);
   return {with_domain(with_domain(made, Axis::u, {0.0, 1.0}), Axis::v, {0.0, 1.0}), side, is_reversed};
 }

@@ -100,7 +100,7 @@ Approximation<NurbsPatch> shortened(const NurbsPatch& patch, const NurbsPatch& o
     return fitted_patch(model, surface, kCut * tolerance, kMost);
   } catch (const SurfaceMissed& missed) {
     const std::string whose = is_first ? "the first patch" : "the second patch";
-    throw ToleranceNotReached("what is left of " + whose + " beside the fillet cannot be had near " + share_text(missed.u) +
+    throw ToleranceNotReached("the rest of " + whose + " beside the fillet cannot be fitted near " + share_text(missed.u) +
                               " of its edge", tolerance, missed.error() / kCut);
   }
 }
@@ -132,7 +132,7 @@ RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch&
                    std::span<const RailNumber> radii, std::optional<double> tolerance) {
   if (tolerance) require_tolerance(*tolerance);
   for (const auto& [patch, side] : {std::pair(&first, first_side), std::pair(&second, second_side)}) {
-    if (patch->knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is no edge");
+    if (patch->knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is not an edge");
   }
   const NearSpace space(together(first.points(), second.points()));
   const double unit = space.length(1.0);

@@ -89,7 +89,7 @@ class SurfaceFit {
       }
       const Round now{static_cast<double>(made_->points().size()), missed.error};
       if (now.count > static_cast<double>(most) || is_hopeless(before, now, kSeen * tolerance, static_cast<double>(most))) {
-        const std::string what = "the surface cannot be had with " + std::to_string(made_->points().size()) + " control points: most is " +
+        const std::string what = "the surface cannot be fitted with " + std::to_string(made_->points().size()) + " control points: most is " +
                                  "missed at u = " + text_of(missed.at[0]) + ", v = " + text_of(missed.at[1]);
         throw SurfaceMissed(what, tolerance, missed.error / kSeen, missed.at[0], missed.at[1]);
       }

@@ -147,7 +147,7 @@ class RowStretch {
       });
       if ((steps_.size() > kMostRows || is_short) && made.error <= tolerance) return made;
       if (steps_.size() > kMostRows || is_short) {
-        throw ToleranceNotReached("the surface cannot be had with " + std::to_string(made.knots.count()) + " rows of control points",
+        throw ToleranceNotReached("the surface cannot be fitted with " + std::to_string(made.knots.count()) + " rows of control points",
                                   tolerance, made.error);
       }
       part(accepted);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "splinecore/basis/knot_vector.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
 
 #pragma GCC visibility push(hidden)

@@ -122,7 +122,7 @@ class Together {
     auto best = with_spans(i, high);
     while (!is_within(best)) {
       if (high >= kMostSpans) {
-        throw ToleranceNotReached("the curves cannot be had with " + std::to_string(high) + " spans", what_.tolerance, best.error);
+        throw ToleranceNotReached("the curves cannot be fitted with " + std::to_string(high) + " spans", what_.tolerance, best.error);
       }
       step = missed_ == 0 ? high : 2 * step;
       missed_ = high;

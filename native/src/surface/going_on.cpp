@@ -68,7 +68,7 @@ LeavingRows paced_rows(std::span<const glm::dvec4> edge, const LeavingRows& out,
   constexpr double kMostOfThird = 1e5;
   const auto taken = [&](double gain, double most, double too_much) {
     if (std::abs(gain) > too_much * most) {
-      throw InvalidShape("a patch nearly stands still across its side: no curvature goes on from there");
+      throw InvalidShape("a patch has a nearly zero derivative across its side: its curvature cannot be continued there");
     }
     return std::clamp(gain, -most, most) - gain;
   };

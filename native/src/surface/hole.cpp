@@ -21,7 +21,7 @@ bool is_straight_on(const glm::dvec3& here, const glm::dvec3& there) {
   return length_of(glm::cross(here, there)) <= kStraight * length_of(here) * length_of(there) && glm::dot(here, there) > 0.0;
 }
 
-/// Whether a corner that is nearly straight stands up from a neighbour's tangent plane: none could go on from there as a corner.
+/// Whether a corner that is nearly straight stands up from a neighbor's tangent plane: none could go on from there as a corner.
 bool stands_up(const HolePlace& end, const HolePlace& start) {
   constexpr double kNearlyStraight = 0.3;
   constexpr double kUpright = 0.1;
@@ -65,9 +65,9 @@ void require_corner(const Hole& hole, std::size_t i) {
   const HoleSide& next = hole.sides[hole.after(i)];
   const bool are_alike = side.continuity() > 0 && next.continuity() > 0;
   throw InvalidShape("sides" + index_text(side.numbers().last) + " and sides" + index_text(next.numbers().first) +
-                     " go on into each other without a corner" +
+                     " join without a corner" +
                      (are_alike ? ", and fewer than three corners are left: make one of them a corner, or let all sides end with G0"
-                                : ", one from a neighbour and one not: let both go on from neighbours, or both end with G0"));
+                                : ", one from a neighbor and one not: give both a neighbor, or end both with G0"));
 }
 
 /// Each side leaves along the next one at its corners.

@@ -25,7 +25,7 @@ struct Hole {
   std::size_t after(std::size_t i) const { return (i + 1) % sides.size(); }
 };
 
-/// Of pieces that go round it. Those that go on into each other without a corner, from neighbours, are one side; but where none
+/// Of pieces that go round it. Those that go on into each other without a corner, from neighbors, are one side; but where none
 /// or fewer than three sides would be left, each is one.
 Hole hole_of(const std::vector<SidePiece>& pieces);
 
@@ -35,9 +35,9 @@ bool goes_on_at_end(const Hole& hole, std::size_t i);
 class HoleGuide;
 
 /// Sets how sides leave: at a corner along the next side, and so that both of a corner agree on mixed derivatives there, as
-/// nearly as their neighbours let them and as none leaves back over its neighbour.
+/// nearly as their neighbors let them and as none leaves back over its neighbor.
 /// @param guide  to what they leave for between corners, if any
-/// @throws InvalidShape where one does at a corner, or a side with a neighbour goes on into another without a corner
+/// @throws InvalidShape where one does at a corner, or a side with a neighbor goes on into another without a corner
 void agree_at_corners(Hole& hole, const HoleGuide* guide);
 
 }  // namespace splinecore

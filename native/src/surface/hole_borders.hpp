@@ -6,7 +6,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// The sides of a hole that has four, as the borders of a patch, and how it goes on from neighbours: D, nearly.
+/// The sides of a hole that has four, as the borders of a patch, and how it goes on from neighbors: D, nearly.
 BorderPairs hole_borders(const Hole& hole);
 
 }  // namespace splinecore

@@ -13,7 +13,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// A surface in a hole that is near what neighbours let expect, over a plane in which all places lie as far from the origin,
+/// A surface in a hole that is near what neighbors let expect, over a plane in which all places lie as far from the origin,
 /// and in the same direction, as along a line of the surface from the apex: also where the surface is no graph.
 ///
 /// It is a polynomial of degree 8, nearest to the lines that run from all sides to the apex; see apex_of().

@@ -32,7 +32,7 @@ std::vector<PlacedPiece> placed(std::vector<SidePiece> pieces) {
   double from = 0.0;
   for (std::size_t k = 0; k < pieces.size(); ++k) {
     const double end = k + 1 == pieces.size() ? 1.0 : ends[k] / ends.back();
-    if (!(end > from)) throw InvalidShape(pieces[k].name() + " is next to nothing beside one that it goes on into");
+    if (!(end > from)) throw InvalidShape(pieces[k].name() + " is too short beside the side that continues it");
     found.push_back({std::move(pieces[k]), from, end});
     from = end;
   }
@@ -69,7 +69,7 @@ struct Leaving {
   glm::dvec3 second;
 };
 
-/// The part in the neighbour's plane of what D alone makes of D2.
+/// The part in the neighbor's plane of what D alone makes of D2.
 glm::dvec3 sliding(SidePiece piece, bool is_end, const glm::dvec3& across) {
   piece.set_end(is_end, across, glm::dvec3(0.0));
   const auto [c, d] = piece.second_parts(is_end);
@@ -77,7 +77,7 @@ glm::dvec3 sliding(SidePiece piece, bool is_end, const glm::dvec3& across) {
   return -c * directions[0] - d * directions[1];
 }
 
-/// Along the line between neighbours: both turn alike along that.
+/// Along the line between neighbors: both turn alike along that.
 Leaving leaving_between(const SidePiece& before, const SidePiece& behind, double length) {
   const glm::dvec3 a = before.directions(true)[0];
   const glm::dvec3 b = behind.directions(false)[0];
@@ -184,11 +184,11 @@ void HoleSide::bend_onward(double least) {
     const double left = one.piece.bend_onward();
     if (left > 0.0 && left >= least) continue;
     const bool is_at_start = !one.piece.leaves_onward(false);
-    const std::string why = is_at_start                        ? " at its start, for the side before it runs on the neighbour's side there"
-                            : !one.piece.leaves_onward(true) ? " at its end, for the side behind it runs on the neighbour's side there"
+    const std::string why = is_at_start                        ? " at its start, for the side before it runs on the neighbor's side there"
+                            : !one.piece.leaves_onward(true) ? " at its end, for the side behind it runs on the neighbor's side there"
                                                              : ", for it turns too much or changes its pace too fast";
-    throw InvalidShape("what leaves " + one.piece.name() + " turns back over its neighbour" + why +
-                       ": no surface goes on there without a fold");
+    throw InvalidShape("what leaves " + one.piece.name() + " turns back over its neighbor" + why +
+                       ": every surface there would fold");
   }
 }
 
@@ -226,10 +226,10 @@ const PlacedPiece& HoleSide::piece_between(double from, double to) const {
   return *std::ranges::find_if(pieces_, [&](const PlacedPiece& one) { return middle < one.to; });
 }
 
-std::optional<NurbsPatch> HoleSide::neighbour_part(double from, double to) const {
+std::optional<NurbsPatch> HoleSide::neighbor_part(double from, double to) const {
   const PlacedPiece& one = piece_between(from, to);
   const auto inside = [&](double s) { return std::clamp((s - one.from) / one.length(), 0.0, 1.0); };
-  return one.piece.neighbour_part(inside(from), inside(to));
+  return one.piece.neighbor_part(inside(from), inside(to));
 }
 
 }  // namespace splinecore

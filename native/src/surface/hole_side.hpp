@@ -30,11 +30,11 @@ struct SideNumbers {
   std::size_t last;
 };
 
-/// One side of a hole, from corner to corner: of several pieces where these go on into each other, each with its neighbour.
+/// One side of a hole, from corner to corner: of several pieces where these go on into each other, each with its neighbor.
 /// Parameters s run from 0 to 1 along all of it, at one speed where pieces meet. See SidePiece.
 class HoleSide {
  public:
-  /// @param pieces  one after the other; all of several have neighbours
+  /// @param pieces  one after the other; all of several have neighbors
   HoleSide(std::vector<SidePiece> pieces, SideNumbers numbers);
 
   SideNumbers numbers() const noexcept { return numbers_; }
@@ -59,7 +59,7 @@ class HoleSide {
 
   void set_end(bool is_end, const glm::dvec3& across, const glm::dvec3& across_2);
 
-  /// Lets pieces leave alike where they meet: along the line between their neighbours, as nearly as these have one. For sides
+  /// Lets pieces leave alike where they meet: along the line between their neighbors, as nearly as these have one. For sides
   /// whose ends are set.
   /// @param lengths  of what leaves joints; none: between those at the ends
   void agree_at_joints(std::span<const double> lengths);
@@ -67,10 +67,10 @@ class HoleSide {
   /// What leaves at places, given those.
   using Wanted = std::function<std::vector<glm::dvec3>(std::span<const double>)>;
 
-  /// Lets each piece with a neighbour bulge towards that between its ends: see SidePiece.
+  /// Lets each piece with a neighbor bulge towards that between its ends: see SidePiece.
   void bulge_towards(const Wanted& wanted, int order, int power);
 
-  /// Bends as much less as lets it nowhere leave back over a neighbour.
+  /// Bends as much less as lets it nowhere leave back over a neighbor.
   /// @param least  what is to be left
   /// @throws InvalidShape where less would be, or it does so at an end
   void bend_onward(double least = 0.0);
@@ -85,9 +85,9 @@ class HoleSide {
   void bend_second(bool is_end, int order, double c, double d);
 
 
-  /// Of the one piece that a part of the side lies on: its continuity, and the part of its neighbour.
+  /// Of the one piece that a part of the side lies on: its continuity, and the part of its neighbor.
   int continuity_between(double from, double to) const { return piece_between(from, to).piece.continuity(); }
-  std::optional<NurbsPatch> neighbour_part(double from, double to) const;
+  std::optional<NurbsPatch> neighbor_part(double from, double to) const;
 
   std::vector<glm::dvec3> across(std::span<const double> s, int order) const;
 

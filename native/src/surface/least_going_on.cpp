@@ -126,7 +126,7 @@ double own_pace(std::span<const glm::dvec4> edge, const LeavingRows& out, const 
   const HomogeneousRow leg = scaled(own.coefficients[1][1], about(own.rows[0], own.rows[1]));
   const double pace = std::sqrt(product(leg, leg) / product(slope, slope));
   if (pace > 0.0 && std::isfinite(pace)) return pace;
-  throw InvalidShape("a patch stands still across its side: nothing goes on from there");
+  throw InvalidShape("a patch has a zero derivative across its side: it cannot be continued there");
 }
 
 /// The derivatives with a pace, and the sum of the squares of what the rows move by.

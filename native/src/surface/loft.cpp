@@ -32,12 +32,12 @@ std::string short_text(double number) {
 
 bool is_smooth(LoftStyle style) { return style != LoftStyle::loose && style != LoftStyle::straight; }
 
-bool is_free(const LoftEnd& end) { return !end.tangent && !end.flat && !end.neighbour; }
+bool is_free(const LoftEnd& end) { return !end.tangent && !end.flat && !end.neighbor; }
 
 void require_end(const LoftEnd& end, bool is_at_pole, const char* name) {
   const std::string which = name;
-  if (end.tangent.has_value() + end.flat.has_value() + end.neighbour.has_value() > 1) {
-    throw InvalidShape("the " + which + " has more than one of tangent, flat and neighbour");
+  if (end.tangent.has_value() + end.flat.has_value() + end.neighbor.has_value() > 1) {
+    throw InvalidShape("the " + which + " has more than one of tangent, flat and neighbor");
   }
   if (end.flat && !is_at_pole) throw InvalidShape("the " + which + " is flat: only a section that is a point can be");
   for (const auto& vector : {end.tangent, end.flat}) {
@@ -48,19 +48,19 @@ void require_end(const LoftEnd& end, bool is_at_pole, const char* name) {
   if (!(end.flat_speed > 0.0 && std::isfinite(end.flat_speed))) {
     throw InvalidShape("flat_speed = " + text_of(end.flat_speed) + " at the " + which + ": above 0 is expected");
   }
-  if (!end.neighbour) return;
-  const LoftNeighbour& neighbour = *end.neighbour;
-  if (neighbour.continuity < 0 || neighbour.continuity > 3) {
-    throw InvalidShape("continuity " + std::to_string(neighbour.continuity) + " at the " + which + ": 0 to 3 is expected");
+  if (!end.neighbor) return;
+  const LoftNeighbor& neighbor = *end.neighbor;
+  if (neighbor.continuity < 0 || neighbor.continuity > 3) {
+    throw InvalidShape("continuity " + std::to_string(neighbor.continuity) + " at the " + which + ": 0 to 3 is expected");
   }
-  if (!(neighbour.strength > 0.0 && std::isfinite(neighbour.strength))) {
-    throw InvalidShape("strength = " + text_of(neighbour.strength) + " at the " + which + ": above 0 is expected");
+  if (!(neighbor.strength > 0.0 && std::isfinite(neighbor.strength))) {
+    throw InvalidShape("strength = " + text_of(neighbor.strength) + " at the " + which + ": above 0 is expected");
   }
 }
 
 void require_options(std::span<const LoftSection> sections, const LoftOptions& options) {
   const std::size_t count =
-      sections.size() + options.start.neighbour.has_value() + options.end.neighbour.has_value();
+      sections.size() + options.start.neighbor.has_value() + options.end.neighbor.has_value();
   const std::size_t least = options.closing == Closing::closed ? 3 : 2;
   if (count < least) {
     throw InvalidShape("a loft of " + std::to_string(count) + " sections: at least " + std::to_string(least) + " are needed");
@@ -70,7 +70,7 @@ void require_options(std::span<const LoftSection> sections, const LoftOptions& o
   require_end(options.end, !sections.empty() && is_pole(sections.back()), "end");
   if (is_free(options.start) && is_free(options.end)) return;
   if (options.closing == Closing::closed) throw InvalidShape("a closed loft has no start and no end");
-  if (!is_smooth(options.style)) throw InvalidShape("a loose or straight loft goes on from nothing: it has no tangents at its ends");
+  if (!is_smooth(options.style)) throw InvalidShape("a loose or straight loft cannot continue a surface: it has no tangents at its ends");
 }
 
 /// Of each point the same: where w is its weight, w times the vector.
@@ -93,7 +93,7 @@ std::vector<glm::dvec4> along_plane(const SectionRow& pole, const SectionRow& be
     sum += length_of(way) / static_cast<double>(pole.near.size());
     found.emplace_back(w * way, 0.0);
   }
-  if (!(sum > 0.0)) throw InvalidShape("a pole cannot be flat: the section beside it lies along the normal");
+  if (!(sum > 0.0)) throw InvalidShape("a pole cannot be flat: the section next to it lies along the normal");
   return scaled(1.0 / sum, std::move(found));
 }
 
@@ -108,8 +108,8 @@ std::vector<std::vector<double>> leaving(const LoftEnd& end, const LeavingRows& 
   std::vector<std::vector<double>> rows;
   if (out.empty()) return rows;
   const double given = speed_of(own.near, out[0]);
-  if (!(given > 0.0)) throw InvalidShape("a neighbour stands still across its side: nothing goes on from there");
-  const double pace = end.neighbour->strength * speed / given;
+  if (!(given > 0.0)) throw InvalidShape("a neighbor has a zero derivative across its side: it cannot be continued there");
+  const double pace = end.neighbor->strength * speed / given;
   for (const auto& row : going_on(own.near, out, pace, kRoom * step)) rows.push_back(numbers_of(row));
   return rows;
 }
@@ -174,7 +174,7 @@ void require_weights(const LoftSections& sections, std::span<const glm::dvec4> c
       sections.rows, [](const SectionRow& row) { return have_positive_weights(row.points); });
   if (!are_positive || have_positive_weights(controls)) return;
   if (is_blend) {
-    throw InvalidShape("the weights of the sides go on so differently that between them some would not stay positive: smaller "
+    throw InvalidShape("the weights continue so differently from the sides that between them some would not stay positive: smaller "
                        "strengths, or a lower continuity, have less of that");
   }
   throw InvalidShape(

@@ -9,7 +9,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "splinecore/base/errors.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
@@ -55,7 +55,7 @@ class SectionSteps {
   }
 
   /// Parameters from 0 by the mean of distances, or of their roots.
-  std::vector<double> parameters(Parametrisation kind) const {
+  std::vector<double> parameters(Parameterization kind) const {
     const std::size_t steps = count_ - (closing_ == Closing::closed ? 0 : 1);
     std::vector<double> sums(steps, 0.0);
     double seen = 0.0;
@@ -65,20 +65,20 @@ class SectionSteps {
       seen += places_.shares[k];
       for (std::size_t j = 0; j < steps; ++j) sums[j] += places_.shares[k] * step(line[j], line[(j + 1) % count_], kind);
     }
-    if (seen == 0.0) throw InvalidShape("the sections are nowhere in sight together");
+    if (seen == 0.0) throw InvalidShape("no plane shows all sections side by side");
     std::vector<double> found{0.0};
     for (const double sum : sums) found.push_back(found.back() + sum / seen);
     for (std::size_t j = 0; j < steps; ++j) {
-      if (!(found[j + 1] > found[j])) throw InvalidShape("two sections that follow each other are one");
+      if (!(found[j + 1] > found[j])) throw InvalidShape("two consecutive sections are equal");
     }
     return found;
   }
 
  private:
-  static double step(const glm::dvec3& from, const glm::dvec3& to, Parametrisation kind) {
-    if (kind == Parametrisation::uniform) return 1.0;
+  static double step(const glm::dvec3& from, const glm::dvec3& to, Parameterization kind) {
+    if (kind == Parameterization::uniform) return 1.0;
     const double chord = distance_of(from, to);
-    return kind == Parametrisation::centripetal ? std::sqrt(chord) : chord;
+    return kind == Parameterization::centripetal ? std::sqrt(chord) : chord;
   }
 
   SectionPlaces places_;
@@ -87,9 +87,9 @@ class SectionSteps {
   std::vector<glm::dvec3> points_;  ///< line after line, of which each goes from section to section
 };
 
-Parametrisation parametrisation_of(LoftStyle style) {
-  if (style == LoftStyle::tight) return Parametrisation::centripetal;
-  return style == LoftStyle::uniform ? Parametrisation::uniform : Parametrisation::chordal;
+Parameterization parameterization_of(LoftStyle style) {
+  if (style == LoftStyle::tight) return Parameterization::centripetal;
+  return style == LoftStyle::uniform ? Parameterization::uniform : Parameterization::chordal;
 }
 
 }  // namespace
@@ -97,9 +97,9 @@ Parametrisation parametrisation_of(LoftStyle style) {
 Pace pace_along(const LoftSections& sections, const LoftOptions& options) {
   const SectionSteps steps(sections, options.closing);
   Pace pace{options.parameters, 0.0};
-  const double length = steps.parameters(Parametrisation::chordal).back();
+  const double length = steps.parameters(Parameterization::chordal).back();
   if (pace.parameters.empty()) {
-    pace.parameters = steps.parameters(parametrisation_of(options.style));
+    pace.parameters = steps.parameters(parameterization_of(options.style));
     const double last = pace.parameters.back();
     for (double& parameter : pace.parameters) parameter /= last;
   }

@@ -19,7 +19,7 @@ struct Pace {
 };
 
 /// By the distances of sections, on average along them.
-/// @throws InvalidShape if two sections that follow each other are one
+/// @throws InvalidShape if two consecutive sections are equal
 Pace pace_along(const LoftSections& sections, const LoftOptions& options);
 
 }  // namespace splinecore

@@ -23,7 +23,7 @@ namespace splinecore {
 
 namespace {
 
-/// A section and, behind it, rows that stay beside it: of a neighbour's ribbon.
+/// A section and, behind it, rows that stay beside it: of a neighbor's ribbon.
 struct Bundle {
   std::vector<NurbsCurve> rows;
   double width = 0.0;  ///< of the ribbon; 0 of a section
@@ -39,8 +39,8 @@ Bundle closed_up(Bundle bundle) {
   return bundle;
 }
 
-Bundle bundle_of(const LoftNeighbour& neighbour) {
-  Ribbon ribbon = ribbon_of(neighbour.patch, neighbour.side);
+Bundle bundle_of(const LoftNeighbor& neighbor) {
+  Ribbon ribbon = ribbon_of(neighbor.patch, neighbor.side);
   return {std::move(ribbon.rows), ribbon.width};
 }
 
@@ -50,19 +50,19 @@ std::vector<Bundle> bundles_of(std::span<const LoftSection> sections, const Loft
                        std::to_string(sections.size()) + " sections");
   }
   std::vector<Bundle> bundles;
-  if (options.start.neighbour) bundles.push_back(bundle_of(*options.start.neighbour));
+  if (options.start.neighbor) bundles.push_back(bundle_of(*options.start.neighbor));
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (!is_pole(sections[i])) {
       bundles.push_back({{std::get<NurbsCurve>(sections[i])}, 0.0, !options.turned.empty() && options.turned[i]});
       continue;
     }
-    const bool is_outer = (i == 0 && !options.start.neighbour) || (i + 1 == sections.size() && !options.end.neighbour);
+    const bool is_outer = (i == 0 && !options.start.neighbor) || (i + 1 == sections.size() && !options.end.neighbor);
     if (!is_outer || options.closing == Closing::closed) {
       throw InvalidShape("sections" + index_text(i) + " is a point: only the first and the last section of an open loft may be");
     }
     if (!is_finite(std::get<glm::dvec3>(sections[i]))) throw InvalidShape("sections" + index_text(i) + " is not finite");
   }
-  if (options.end.neighbour) bundles.push_back(bundle_of(*options.end.neighbour));
+  if (options.end.neighbor) bundles.push_back(bundle_of(*options.end.neighbor));
   if (bundles.empty()) throw InvalidShape("all sections are points: a curve is needed");
   return bundles;
 }
@@ -138,7 +138,7 @@ void turn(std::vector<Bundle>& bundles) {
   }
 }
 
-/// The sections, not the sides of neighbours, on few knots. @returns how far they were moved
+/// The sections, not the sides of neighbors, on few knots. @returns how far they were moved
 double rebuild(std::vector<Bundle>& bundles, double tolerance) {
   std::vector<NurbsCurve> curves;
   int degree = 3;
@@ -193,9 +193,9 @@ void require_room(const std::vector<NurbsCurve>& rows) {
   }
   const double points = count * static_cast<double>(rows.size());
   if (points <= kMost || count <= kShared * static_cast<double>(most)) return;
-  throw InvalidShape("the sections do not share their knots: together they have so many that the surface would have " +
+  throw InvalidShape("the sections do not share their knots: together they have too many, the surface would have " +
                      std::to_string(static_cast<long long>(points)) +
-                     " control points. With a tolerance they are moved by less than that, onto few knots of their own");
+                     " control points. With a tolerance they are approximated within it on fewer knots");
 }
 
 std::vector<NurbsCurve> rows_of(const std::vector<Bundle>& bundles) {
@@ -309,10 +309,10 @@ LoftSections loft_sections(std::span<const LoftSection> sections, const LoftOpti
   for (const Bundle& bundle : bundles) {
     made.rows.push_back(row_of({bundle.rows[0].points().begin(), bundle.rows[0].points().end()}, space));
   }
-  if (options.start.neighbour) {
-    made.leaving_start = leaving_rows(bundles.front(), options.start.neighbour->continuity, space);
+  if (options.start.neighbor) {
+    made.leaving_start = leaving_rows(bundles.front(), options.start.neighbor->continuity, space);
   }
-  if (options.end.neighbour) made.leaving_end = leaving_rows(bundles.back(), options.end.neighbour->continuity, space);
+  if (options.end.neighbor) made.leaving_end = leaving_rows(bundles.back(), options.end.neighbor->continuity, space);
   if (!sections.empty() && is_pole(sections.front())) {
     made.rows.insert(made.rows.begin(), pole_row(std::get<glm::dvec3>(sections.front()), made.rows.front(), space));
   }

@@ -16,15 +16,15 @@ struct SectionRow {
   std::vector<glm::dvec4> near;
 };
 
-/// Derivatives 1, 2, … out of a neighbour at its side, homogeneous in that space.
+/// Derivatives 1, 2, … out of a neighbor at its side, homogeneous in that space.
 using LeavingRows = std::vector<std::vector<glm::dvec4>>;
 
-/// The sections of a loft, those of neighbours and poles among them, on one knot vector.
+/// The sections of a loft, those of neighbors and poles among them, on one knot vector.
 struct LoftSections {
   NearSpace space;
   KnotVector knots;
   std::vector<SectionRow> rows;
-  LeavingRows leaving_start;   ///< none without a neighbour
+  LeavingRows leaving_start;   ///< none without a neighbor
   LeavingRows leaving_end;
   double error;                ///< how far sections were moved
 };

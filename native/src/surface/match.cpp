@@ -213,7 +213,7 @@ double own_pace(const MovingRows& before, const std::vector<glm::dvec4>& edge, c
   for (std::size_t i = 0; i < own.size(); ++i) own[i] = at_start.weights(0, 1)[1] * (before.rows[1][i] - before.rows[0][i]);
   const double speed = speed_of(before.rows.front(), own);
   const double given = speed_of(edge, out.front());
-  if (!(given > 0.0 && speed > 0.0)) throw InvalidShape("a patch stands still across its side: nothing goes on from there");
+  if (!(given > 0.0 && speed > 0.0)) throw InvalidShape("a patch has a zero derivative across its side: it cannot be continued there");
   return speed / given;
 }
 
@@ -264,7 +264,7 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
   if (!are_kept(moved, low)) {
     throw InvalidShape(least_weight(moved) < least
                            ? "the weights of the patches differ so much that beside the side some would not stay positive"
-                           : "beside the side the other patch bends so sharply that rows that go on from it would shoot out: a "
+                           : "the other patch bends so sharply at the side that its continuation would shoot out: a "
                              "lower continuity has less of that");
   }
   for (int i = 0; i < kHalvings; ++i) {  // to the largest pace with which they are, which changes little where a patch does
@@ -282,7 +282,7 @@ NurbsPatch moved_onto(NurbsPatch patch, Ribbon onto, const MatchOptions& options
 Approximation<NurbsPatch> matched(const NurbsPatch& patch, Border side, const NurbsPatch& onto, Border onto_side,
                                   const MatchOptions& options) {
   require_options(options);
-  if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is no edge");
+  if (patch.knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is not an edge");
   const bool are_closed = patch.knot_vector(across(axis_of(side))).periodic() && onto.knot_vector(across(axis_of(onto_side))).periodic();
   const bool finds_way = are_closed && !options.is_reversed;
   const bool is_reversed = !finds_way && options.is_reversed.value_or(run_against(onto, onto_side, patch, side));

@@ -92,7 +92,7 @@ void MeshTopology::find_fans(const ControlMesh& mesh) {
       throw InvalidShape("parts of the mesh meet in " + name + " alone");
     }
     if (!is_on_border_[point] && faces[point] == 1) {
-      throw InvalidShape(name + " has one face all round: a point inside has two at least");
+      throw InvalidShape(name + " has one face around it: a point inside a mesh has two or more");
     }
   }
 }

@@ -291,18 +291,18 @@ void let_meet(GordonNet& net, bool as_polynomials, double tolerance) {
   for (PacedFamily* family : {&net.u, &net.v}) repace(*family, within);
 }
 
-void require_neighbours(std::span<const LoftNeighbour> neighbours) {
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    if (neighbours[i].continuity == 1) continue;
-    throw InvalidShape("neighbours" + index_text(i) + " has continuity " + std::to_string(neighbours[i].continuity) +
-                       ": a network goes on with tangent planes, 1");
+void require_neighbors(std::span<const LoftNeighbor> neighbors) {
+  for (std::size_t i = 0; i < neighbors.size(); ++i) {
+    if (neighbors[i].continuity == 1) continue;
+    throw InvalidShape("neighbors" + index_text(i) + " has continuity " + std::to_string(neighbors[i].continuity) +
+                       ": a network continues with tangent planes, 1");
   }
 }
 
 /// What curves are to keep to, in their space, and how long 1 is outside.
 struct NetworkTask {
   const NetworkCurves& curves;
-  const std::vector<LoftNeighbour>& beyond;
+  const std::vector<LoftNeighbor>& beyond;
   double fit;     ///< how near curves are run through that do not meet the others as they are
   double within;  ///< how far the surface may lie from them
   double unit;
@@ -359,8 +359,8 @@ FoundSurface found_surface(const NetworkTask& task, double fit) {
   return {std::move(net), std::move(made), off};
 }
 
-/// Of the neighbour from which a curve is to go on there; none where there is none.
-std::string neighbour_left(const NetworkBorders& borders, const FarthestOff& off) {
+/// Of the neighbor from which a curve is to go on there; none where there is none.
+std::string neighbor_left(const NetworkBorders& borders, const FarthestOff& off) {
   const std::array<std::string, 2>& crossed = off.is_u ? borders.names_v : borders.names_u;
   const std::array<std::string, 2>& beside = off.is_u ? borders.names_u : borders.names_v;
   const std::size_t nearer = off.share < 0.5 ? 0 : 1;
@@ -373,7 +373,7 @@ std::string neighbour_left(const NetworkBorders& borders, const FarthestOff& off
 std::string reason_of(const NetworkTask& task, const FoundSurface& found) {
   const NetworkFamily& family = found.off.is_u ? task.curves.u : task.curves.v;
   const std::string curve = (found.off.is_u ? "along_u" : "along_v") + index_text(family.order[found.off.curve]);
-  const std::string left = neighbour_left(found.made.borders, found.off);
+  const std::string left = neighbor_left(found.made.borders, found.off);
   if (!left.empty()) {
     return curve + " is missed: it does not leave " + left + " in its tangent plane, or lies too near others for that";
   }
@@ -398,11 +398,11 @@ FoundSurface surface_within(const NetworkTask& task) {
 }  // namespace
 
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
-                                  std::optional<double> tolerance, std::span<const LoftNeighbour> neighbours,
+                                  std::optional<double> tolerance, std::span<const LoftNeighbor> neighbors,
                        std::optional<double> gap) {
   if (tolerance) require_tolerance(*tolerance);
   if (gap) require_tolerance(*gap, "gap");
-  require_neighbours(neighbours);
+  require_neighbors(neighbors);
   const std::vector<glm::dvec4> all = points_of(along_u, along_v);
   const NearSpace space(all);
   const auto entered = [&](std::span<const NurbsCurve> curves) {
@@ -410,8 +410,8 @@ NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const Nurb
     for (const NurbsCurve& curve : curves) near.push_back(curve.with_points(space.enter(curve.points())));
     return near;
   };
-  std::vector<LoftNeighbour> beyond(neighbours.begin(), neighbours.end());
-  for (LoftNeighbour& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
+  std::vector<LoftNeighbor> beyond(neighbors.begin(), neighbors.end());
+  for (LoftNeighbor& one : beyond) one.patch = one.patch.with_points(space.enter(one.patch.points()));
   const double unit = space.length(1.0);
   const double fit = tolerance ? *tolerance / unit : 0x1p-20;
   const NetworkCurves curves = network_curves(entered(along_u), entered(along_v), gap ? *gap / unit : fit, unit);

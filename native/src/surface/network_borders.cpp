@@ -25,7 +25,7 @@ namespace splinecore {
 
 namespace {
 
-/// What tangent planes may be off those of neighbours, in radians.
+/// What tangent planes may be off those of neighbors, in radians.
 constexpr double kAngle = 1e-4;
 /// Of that for each field: what it is off where curves cross the network takes away, and so adds to between them.
 constexpr double kShare = 1.0 / 3.0;
@@ -60,7 +60,7 @@ std::vector<glm::dvec3> derivatives_across(const PacedFamily& others, std::size_
   return found;
 }
 
-/// A family and, for the borders along it, the neighbours that lie there.
+/// A family and, for the borders along it, the neighbors that lie there.
 struct Edges {
   const PacedFamily& family;
   const PacedFamily& others;
@@ -71,10 +71,10 @@ struct Edges {
   const NurbsCurve& border(std::size_t i) const { return i == 0 ? family.curves.front() : family.curves.back(); }
 };
 
-/// Gives a neighbour to the border that it lies along.
-void place(const LoftNeighbour& neighbour, const std::string& name, std::array<Edges*, 2> all, double tolerance,
+/// Gives a neighbor to the border that it lies along.
+void place(const LoftNeighbor& neighbor, const std::string& name, std::array<Edges*, 2> all, double tolerance,
            double unit) {
-  const NurbsPatch beyond = clamped(with_side_first(neighbour.patch, neighbour.side), Axis::v);
+  const NurbsPatch beyond = clamped(with_side_first(neighbor.patch, neighbor.side), Axis::v);
   const NurbsCurve side = boundary(beyond, Border::v_start);
   Edges* nearest_edges = nullptr;
   std::size_t nearest_border = 0;
@@ -94,7 +94,7 @@ void place(const LoftNeighbour& neighbour, const std::string& name, std::array<E
     throw InvalidShape(name + " lies along none of the outermost curves" + (nearest_edges ? far : ""));
   }
   std::optional<TangentField>& field = nearest_edges->fields[nearest_border];
-  if (field) throw InvalidShape(name + " lies along a curve that has a neighbour already");
+  if (field) throw InvalidShape(name + " lies along a curve that has a neighbor already");
   field.emplace(nearest_edges->border(nearest_border), beyond, nearest_edges->family.wanted,
                 derivatives_across(nearest_edges->others, nearest_border), name, nearest_edges->others_name);
 }
@@ -163,15 +163,15 @@ EndSlopes slopes_of(const FieldPair& fields) {
   return slopes;
 }
 
-/// Errors of fits along neighbours are angles, which have no unit of length.
-/// @param hardest  the name of the neighbour that is farthest off
+/// Errors of fits along neighbors are angles, which have no unit of length.
+/// @param hardest  the name of the neighbor that is farthest off
 template <class Fit, class Name>
-auto along_neighbours(const Fit& fit, const Name& hardest) {
+auto along_neighbors(const Fit& fit, const Name& hardest) {
   try {
     return fit();
   } catch (const ToleranceNotReached& error) {
     throw InvalidShape("tangent planes of " + hardest() + " turn so sharply along its side that the surface would be off them by " +
-                       text_of(error.error()) + " radians: a smoother edge, or no neighbour there, can be had");
+                       text_of(error.error()) + " radians: a smoother edge, or no neighbor there, can be had");
   }
 }
 
@@ -198,7 +198,7 @@ std::array<std::optional<NurbsCurve>, 2> fitted(const FieldPair& fields, const E
     errors[i] = angle_from(field, curve);
     return {std::move(curve), errors[i]};
   };
-  const std::vector<NurbsCurve> curves = along_neighbours(
+  const std::vector<NurbsCurve> curves = along_neighbors(
       [&] { return fitted_together(what, fit).value; },
       [&] {
         const auto worst = static_cast<std::size_t>(std::ranges::max_element(errors) - errors.begin());
@@ -218,12 +218,12 @@ glm::dvec2 parts_in(const PlaneFrame& plane, const glm::dvec3& vector) {
 
 }  // namespace
 
-NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::span<const LoftNeighbour> neighbours,
+NetworkBorders network_borders(const PacedFamily& u, const PacedFamily& v, std::span<const LoftNeighbor> neighbors,
                                double tolerance, double unit) {
   Edges along_u{u, v, "along_v"};
   Edges along_v{v, u, "along_u"};
-  for (std::size_t i = 0; i < neighbours.size(); ++i) {
-    place(neighbours[i], "neighbours" + index_text(i), {&along_u, &along_v}, tolerance, unit);
+  for (std::size_t i = 0; i < neighbors.size(); ++i) {
+    place(neighbors[i], "neighbors" + index_text(i), {&along_u, &along_v}, tolerance, unit);
   }
   const auto in_corners = [&](auto&& act) {
     for (std::size_t i = 0; i < 2; ++i) {

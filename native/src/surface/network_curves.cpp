@@ -209,7 +209,7 @@ void run_along(NetworkFamily& family, const std::vector<std::size_t>& order, con
     NurbsCurve& curve = family.curves[i];
     std::vector<double>& at = family.crossings[i];
     const auto refuse = [&] {
-      throw InvalidShape(std::string(name) + index_text(order[i]) + " crosses the others in another order than its neighbours");
+      throw InvalidShape(std::string(name) + index_text(order[i]) + " crosses the others in another order than its neighbors");
     };
     if (family.is_closed) {
       if (at.size() > 2 && rises(at) != at.size() - 1) turn(curve, at);

@@ -59,7 +59,7 @@ double rising_slope(double before, double behind) {
   return std::clamp(slope, -most, most);
 }
 
-/// Two periods round those given, so that each number of a period has its neighbours.
+/// Two periods round those given, so that each number of a period has its neighbors.
 std::vector<RailNumber> repeated(std::span<const RailNumber> numbers, double period) {
   constexpr int kBeyond = 2;
   const int count = static_cast<int>(numbers.size());

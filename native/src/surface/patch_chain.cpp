@@ -68,7 +68,7 @@ PatchChain chained(std::vector<NurbsPatch> patches, const std::vector<double>& l
       const double gap = apart(last, own.first(count_v), factor, size);
       if (!(gap <= kSame * size)) {
         throw InvalidShape("the " + name + " patches of edges " + std::to_string(i) + " and " + std::to_string(i + 1) +
-                           " do not go on as each other: their sides across the edge differ by " + text_of(gap / size) + " of their size");
+                           " do not continue each other: their sides across the edge differ by " + text_of(gap / size) + " of their size");
       }
     }
     for (std::size_t k = i > 0 ? count_v : 0; k < own.size(); ++k) points.push_back({glm::dvec3(own[k]), factor * own[k].w});

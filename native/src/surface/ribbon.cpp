@@ -27,7 +27,7 @@ NurbsPatch strip_of(const NurbsPatch& patch, Border side) {
 Ribbon ribbon_of(const NurbsPatch& patch, Border side) {
   const Axis axis = axis_of(side);
   if (patch.knot_vector(axis).periodic()) {
-    throw InvalidShape("the side of a neighbour is the seam of a periodic direction: it is no edge");
+    throw InvalidShape("the side of a neighbor is the seam of a periodic direction: it is not an edge");
   }
   const NurbsPatch strip = strip_of(patch, side);
   const Lines lines = lines_of(strip, axis);

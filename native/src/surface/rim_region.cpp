@@ -101,7 +101,7 @@ RimPlane plane_of(const std::vector<RimPieces>& sides) {
     size = std::max(size, length_of(from));
   }
   plane.area = length_of(plane.normal);
-  if (!(plane.area > kNothing * size * size)) throw InvalidShape("the rim encloses next to nothing");
+  if (!(plane.area > kNothing * size * size)) throw InvalidShape("the rim encloses almost no area");
   plane.normal /= plane.area;
   int least = 0;
   for (int axis = 1; axis < 3; ++axis) {
@@ -315,7 +315,7 @@ std::vector<std::vector<RimOrder>> rim_orders(std::span<const NurbsCurve> sides)
           }
         }
       }
-      if (!next) throw InvalidShape("the sides do not go round: side " + std::to_string(order.back().side) + " ends where no other one does");
+      if (!next) throw InvalidShape("the sides do not form a loop: side " + std::to_string(order.back().side) + " ends where no other one does");
       is_taken[next->side] = true;
       at = ends[next->side][!next->is_reversed];
       order.push_back(*next);

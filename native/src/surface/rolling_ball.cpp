@@ -172,9 +172,9 @@ std::vector<double> RollingBall::between(double from, double to, std::span<const
   return found;
 }
 
-/// The ball touches what it leaves behind in the circle (p - c) c' = -r r' (Monge): its plane is off the centre where r changes.
+/// The ball touches what it leaves behind in the circle (p - c) c' = -r r' (Monge): its plane is off the center where r changes.
 void RollingBall::tilt(Contact& contact, double u) const {
-  contact.circle_centre = contact.centre;
+  contact.circle_center = contact.center;
   contact.circle_radius = contact.radius;
   const double growth = radii_.slope_beyond(u);
   if (growth == 0.0) return;
@@ -192,7 +192,7 @@ void RollingBall::tilt(Contact& contact, double u) const {
   if (!(inside > 0.0)) {
     throw InvalidShape("the radius changes so fast at " + text_of(u) + " of the edge that the ball there lies inside those beside it");
   }
-  contact.circle_centre = contact.centre - contact.radius * growth / square * way;
+  contact.circle_center = contact.center - contact.radius * growth / square * way;
   contact.circle_radius = contact.radius * std::sqrt(inside);
 }
 
@@ -213,12 +213,12 @@ Contact RollingBall::at(double u, bool is_of_first) const {
     const TouchedPlace b = touched(other, on_other);
     const double ra = side_fixed * contact.radius;
     const double rb = side_other * contact.radius;
-    const glm::dvec3 centre = a.point + ra * a.normal;
-    const glm::dvec3 off = centre - (b.point + rb * b.normal);
+    const glm::dvec3 center = a.point + ra * a.normal;
+    const glm::dvec3 off = center - (b.point + rb * b.normal);
     left = length_of(off);
     (is_of_first ? contact.first : contact.second) = a.point;
     (is_of_first ? contact.second : contact.first) = b.point;
-    contact.centre = centre - 0.5 * off;
+    contact.center = center - 0.5 * off;
     (is_of_first ? contact.on_first : contact.on_second) = on_fixed;
     (is_of_first ? contact.on_second : contact.on_first) = on_other;
     if (left <= kReached) break;

@@ -19,11 +19,11 @@ struct Contact {
   glm::dvec2 on_second;
   glm::dvec3 first;      ///< points
   glm::dvec3 second;
-  glm::dvec3 centre;
+  glm::dvec3 center;
   double radius;
   /// Of the circle in which it touches the surface that it leaves behind, through both contacts: a great circle unless its radius
   /// changes.
-  glm::dvec3 circle_centre;
+  glm::dvec3 circle_center;
   double circle_radius;
 };
 

@@ -50,7 +50,7 @@ BesideEnd beside_end(const Hole& hole, std::size_t i, bool is_end) {
   return {beside, own / length_of(beside.place(is_end ? 0.0 : 1.0).along)};
 }
 
-/// How a side without a neighbour leaves, between the sides beside it.
+/// How a side without a neighbor leaves, between the sides beside it.
 EndCubic<glm::dvec3> leaving_between(const Hole& hole, const Apex& apex, std::size_t i) {
   EndCubic<glm::dvec3> made;
   for (const bool is_end : {false, true}) {
@@ -110,7 +110,7 @@ class Meridians {
 
   const HoleSide& side_;
   const Apex& apex_;
-  EndCubic<glm::dvec3> free_;  ///< of a side without a neighbour
+  EndCubic<glm::dvec3> free_;  ///< of a side without a neighbor
   EndCubic<glm::dvec3> bent_;  ///< added to second derivatives of one without curvatures that go on
 };
 

@@ -42,7 +42,7 @@ ScaleAlong::ScaleAlong(const NurbsCurve& curve, const Interval& domain, bool is_
   if (!is_closed) return;
   constexpr double kRounding = 0x1p-40;
   if (!curve.periodic() && std::abs(at(own.start) - at(own.end)) > kRounding * largest()) {
-    throw InvalidShape("the rail is closed: the scale at its end is to be that at its start");
+    throw InvalidShape("the rail is closed: the scale at its end must be that at its start");
   }
   goes_round_ = is_smooth_round();
 }

@@ -120,7 +120,7 @@ std::vector<double> moved(std::span<const double> knots, const std::vector<doubl
   }
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if ((knots[i] > knots[i - 1]) == (places[i] > places[i - 1])) continue;
-    throw InvalidShape("a section has knots that lie so near to each other that they would be one where its corners are matched");
+    throw InvalidShape("a section has knots that lie so near to each other that they would coincide where its corners are matched");
   }
   return places;
 }

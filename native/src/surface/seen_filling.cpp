@@ -53,7 +53,7 @@ double gap_along(const HoleSide& side, const PartOfSide& part, const NurbsPatch&
   return std::max(gaps[at], std::ranges::max(gaps_at(closer, border, side, part)));
 }
 
-/// The stretch of a part that has one neighbour, and the patch along it.
+/// The stretch of a part that has one neighbor, and the patch along it.
 struct SeenStretch {
   double from;
   double to;
@@ -78,17 +78,17 @@ std::vector<SeenStretch> stretches_of(const HoleSide& side, const PartOfSide& pa
   return found;
 }
 
-/// How the patch goes on from the neighbour, into the filling's figures.
+/// How the patch goes on from the neighbor, into the filling's figures.
 void see(Filling& filling, const HoleSide& side, Border border, const SeenStretch& stretch) {
   const auto [low, high] = std::minmax(stretch.from, stretch.to);
-  const NurbsPatch neighbour = *side.neighbour_part(low, high);
+  const NurbsPatch neighbor = *side.neighbor_part(low, high);
   const bool is_reversed = stretch.from > stretch.to;
   if (side.continuity_between(low, high) == 1) {
-    filling.angle = std::max(filling.angle, seam_angle(stretch.patch, border, neighbour, Border::v_end, is_reversed));
+    filling.angle = std::max(filling.angle, seam_angle(stretch.patch, border, neighbor, Border::v_end, is_reversed));
     return;
   }
   const SeamContinuity seam =
-      seam_continuity(stretch.patch, border, neighbour, Border::v_end, kContinuityTolerance, {}, is_reversed);
+      seam_continuity(stretch.patch, border, neighbor, Border::v_end, kContinuityTolerance, {}, is_reversed);
   filling.angle = std::max(filling.angle, seam.angle);
   filling.curvature_difference = std::max(filling.curvature_difference, seam.curvature_difference);
 }

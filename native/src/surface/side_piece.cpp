@@ -22,9 +22,9 @@ namespace splinecore {
 namespace {
 
 /// With the side v_end, u along it as the curve runs, over [0, 1].
-NurbsPatch turned_to(const LoftNeighbour& neighbour, const NurbsCurve& curve) {
-  NurbsPatch patch = axis_of(neighbour.side) == Axis::u ? swapped(neighbour.patch) : neighbour.patch;
-  if (!is_at_end(neighbour.side)) patch = reversed(patch, Axis::v);
+NurbsPatch turned_to(const LoftNeighbor& neighbor, const NurbsCurve& curve) {
+  NurbsPatch patch = axis_of(neighbor.side) == Axis::u ? swapped(neighbor.patch) : neighbor.patch;
+  if (!is_at_end(neighbor.side)) patch = reversed(patch, Axis::v);
   patch = with_domain(clamped(clamped(patch, Axis::u), Axis::v), Axis::u, {0.0, 1.0});
   const NurbsCurve side = boundary(patch, Border::v_end);
   const glm::dvec3 start(curve.points().front());
@@ -132,21 +132,21 @@ std::array<double, 3> SidePiece::Factor::derivatives(bool is_end) const {
   return {values[is_end], values[1] - values[0] + slopes[is_end], of_slopes + seconds[is_end] + (power == 2 ? 32.0 * value_of(bulges, is_end ? 1.0 : -1.0) : 0.0)};
 }
 
-SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbour>& neighbour, std::size_t number)
-    : curve_(with_domain(curve, {0.0, 1.0})), neighbour_(neighbour), number_(number) {
-  if (!neighbour_) return;
-  neighbour_->patch = turned_to(*neighbour, curve_);
-  const NurbsCurve side = boundary(neighbour_->patch, Border::v_end);
+SidePiece::SidePiece(const NurbsCurve& curve, const std::optional<LoftNeighbor>& neighbor, std::size_t number)
+    : curve_(with_domain(curve, {0.0, 1.0})), neighbor_(neighbor), number_(number) {
+  if (!neighbor_) return;
+  neighbor_->patch = turned_to(*neighbor, curve_);
+  const NurbsCurve side = boundary(neighbor_->patch, Border::v_end);
   moved_ = {glm::dvec3(curve_.points().front()) - glm::dvec3(side.points().front()),
             glm::dvec3(curve_.points().back()) - glm::dvec3(side.points().back())};
   curve_ = side;
 }
 
 std::optional<SidePiece> SidePiece::of_one_patch(const SidePiece& first, const SidePiece& second) {
-  if (!first.neighbour_ || !second.neighbour_ || first.continuity() != second.continuity()) return {};
-  std::optional<NurbsPatch> patch = one_patch(first.neighbour_->patch, second.neighbour_->patch);
+  if (!first.neighbor_ || !second.neighbor_ || first.continuity() != second.continuity()) return {};
+  std::optional<NurbsPatch> patch = one_patch(first.neighbor_->patch, second.neighbor_->patch);
   if (!patch) return {};
-  LoftNeighbour both{std::move(*patch), Border::v_end, first.continuity()};
+  LoftNeighbor both{std::move(*patch), Border::v_end, first.continuity()};
   NurbsCurve curve = boundary(both.patch, both.side);
   std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
   points.front() += glm::dvec4(first.moved_[0], 0.0);
@@ -174,7 +174,7 @@ std::vector<glm::dvec3> SidePiece::points(std::span<const double> s) const {
 std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
   const PlacesAtKnots at(s, curve_.knot_vector());
   std::vector<HolePlace> found(s.size());
-  if (!neighbour_) {
+  if (!neighbor_) {
     const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
       derivatives(curve_, here, 2, out, {.side = side});
     };
@@ -184,11 +184,11 @@ std::vector<HolePlace> SidePiece::places(std::span<const double> s) const {
     }
     return found;
   }
-  const std::vector<double> end(s.size(), neighbour_->patch.knot_vector(Axis::v).domain().end);
+  const std::vector<double> end(s.size(), neighbor_->patch.knot_vector(Axis::v).domain().end);
   const auto write = [&](std::span<const double> here, Side side, std::span<double> out) {
     PatchOptions options;
     options.side_u = side;
-    derivatives(neighbour_->patch, here, end, 2, out, options);
+    derivatives(neighbor_->patch, here, end, 2, out, options);
   };
   const std::vector<glm::dvec3> values = at.means(9, write);
   for (std::size_t i = 0; i < s.size(); ++i) {
@@ -203,8 +203,8 @@ void SidePiece::set_end(bool is_end, const glm::dvec3& across, const glm::dvec3&
   const HolePlace here = place(is_end ? 1.0 : 0.0);
   const auto first = parts_of(across, here.out, here.along);
   if (!first) {
-    throw InvalidShape("the neighbour of " + name() + " stands still across that at its " + (is_end ? "end" : "start") +
-                       ": nothing goes on from there");
+    throw InvalidShape("the neighbor of " + name() + " has a zero derivative across it at its " + (is_end ? "end" : "start") +
+                       ": it cannot be continued there");
   }
   const auto [a, b] = *first;
   a_.values[is_end] = a;
@@ -274,9 +274,9 @@ AcrossJet SidePiece::jet(bool is_end) const {
   constexpr int kOrder = 4;
   constexpr int kWidth = kOrder + 1;
   const double s = is_end ? 1.0 : 0.0;
-  const double t = neighbour_->patch.knot_vector(Axis::v).domain().end;
+  const double t = neighbor_->patch.knot_vector(Axis::v).domain().end;
   std::vector<glm::dvec3> values(kWidth * kWidth);
-  derivatives(neighbour_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
+  derivatives(neighbor_->patch, std::span(&s, 1), std::span(&t, 1), kOrder, std::span(&values.front().x, 3 * values.size()));
   const auto along = [&](int order, int out) {
     return ThreeOrders<glm::dvec3>{values[order * kWidth + out], values[(order + 1) * kWidth + out], values[(order + 2) * kWidth + out]};
   };
@@ -304,9 +304,9 @@ void SidePiece::bend_second(bool is_end, int order, double c, double d) {
   (order == 1 ? d_.slopes : d_.seconds)[is_end] += d;
 }
 
-std::optional<NurbsPatch> SidePiece::neighbour_part(double from, double to) const {
-  if (!neighbour_) return {};
-  NurbsPatch part = neighbour_->patch;
+std::optional<NurbsPatch> SidePiece::neighbor_part(double from, double to) const {
+  if (!neighbor_) return {};
+  NurbsPatch part = neighbor_->patch;
   if (to < 1.0) part = split(part, Axis::u, to).first;
   if (from > 0.0) part = split(part, Axis::u, from).second;
   return part;

@@ -47,7 +47,7 @@ struct Star {
 /// The derivative at the end of clamped knots by the way there from the last control point but one.
 double end_slope(const KnotVector& knots);
 
-/// The points of a star of which some are given: tangent planes of neighbours agree along the spokes, as exactly as the
+/// The points of a star of which some are given: tangent planes of neighbors agree along the spokes, as exactly as the
 /// knots allow, and the sum of the squared third derivatives of what lies between them and expected ones is least (Greiner
 /// 1994).
 ///

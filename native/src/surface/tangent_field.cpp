@@ -15,15 +15,15 @@
 
 namespace splinecore {
 
-TangentField::TangentField(NurbsCurve border, NurbsPatch neighbour, std::vector<double> at, std::span<const glm::dvec3> across,
+TangentField::TangentField(NurbsCurve border, NurbsPatch neighbor, std::vector<double> at, std::span<const glm::dvec3> across,
                            std::string name, const std::string& crossing)
-    : border_(std::move(border)), neighbour_(std::move(neighbour)), side_(boundary(neighbour_, Border::v_start)),
+    : border_(std::move(border)), neighbor_(std::move(neighbor)), side_(boundary(neighbor_, Border::v_start)),
       name_(std::move(name)), at_(std::move(at)), parts_(border_) {
   const std::vector<PlaneFrame> planes = frames(std::span(at_).first(across.size()));
   for (std::size_t j = 0; j < planes.size(); ++j) {
     crossed_.emplace_back(glm::dot(across[j], planes[j].out), glm::dot(across[j], planes[j].along));
     if (crossed_.back().x > 0.0) continue;
-    throw InvalidShape(crossing + index_text(j) + " turns back over " + name_ + ": no surface goes on there without a fold");
+    throw InvalidShape(crossing + index_text(j) + " turns back over " + name_ + ": every surface there would fold");
   }
   parts_ = through_crossed();
 }
@@ -62,16 +62,16 @@ std::vector<PlaneFrame> TangentField::frames(std::span<const double> at) const {
   nearest(side_, points, places);
   std::vector<double> s;
   for (const NearestOnCurve& place : places) s.push_back(place.parameter);
-  const std::vector<double> edge(count, neighbour_.knot_vector(Axis::v).domain().start);
+  const std::vector<double> edge(count, neighbor_.knot_vector(Axis::v).domain().start);
   std::vector<glm::dvec3> by(4 * count);
-  derivatives(neighbour_, s, edge, 1, {&by.front().x, 12 * count});
+  derivatives(neighbor_, s, edge, 1, {&by.front().x, 12 * count});
   std::vector<PlaneFrame> found;
   for (std::size_t k = 0; k < count; ++k) {
     const glm::dvec3 inwards = by[4 * k + 1];
     const glm::dvec3 normal = glm::cross(by[4 * k + 2], inwards);
     const glm::dvec3 out = glm::cross(normal, jets[2 * k + 1]);
     const double length = length_of(out);
-    if (!(length > 0.0)) throw InvalidShape(name_ + " has no tangent plane somewhere along its side, or the border stands still");
+    if (!(length > 0.0)) throw InvalidShape(name_ + " has no tangent plane somewhere along its side, or the border has a zero derivative");
     const glm::dvec3 away = out / (glm::dot(out, inwards) > 0.0 ? -length : length);
     const glm::dvec3 along = glm::cross(normal, away);
     found.push_back({away, along / length_of(along)});

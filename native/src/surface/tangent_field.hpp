@@ -15,7 +15,7 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// Unit vectors in the tangent plane of a neighbour at a place of a border: away from the neighbour, and along the border.
+/// Unit vectors in the tangent plane of a neighbor at a place of a border: away from the neighbor, and along the border.
 struct PlaneFrame {
   glm::dvec3 out;
   glm::dvec3 along;
@@ -24,12 +24,12 @@ struct PlaneFrame {
 /// Vectors along a border that lie in the tangent planes of the patch beyond it: a(s) out + b(s) along.
 class TangentField {
  public:
-  /// @param border     run through over its domain, along v_start of the neighbour or a part of that
+  /// @param border     run through over its domain, along v_start of the neighbor or a part of that
   /// @param at         where curves cross the border, as a family has it of its others
   /// @param across     their derivatives there, into the network
-  /// @param name       of the neighbour, and `crossing` of a curve without its index, for what is refused
+  /// @param name       of the neighbor, and `crossing` of a curve without its index, for what is refused
   /// @throws InvalidShape if there is no tangent plane, or a curve turns back
-  TangentField(NurbsCurve border, NurbsPatch neighbour, std::vector<double> at, std::span<const glm::dvec3> across,
+  TangentField(NurbsCurve border, NurbsPatch neighbor, std::vector<double> at, std::span<const glm::dvec3> across,
                std::string name, const std::string& crossing);
 
   std::vector<glm::dvec3> vectors(std::span<const double> at) const;
@@ -47,7 +47,7 @@ class TangentField {
   NurbsCurve through_crossed() const;
 
   NurbsCurve border_;
-  NurbsPatch neighbour_;
+  NurbsPatch neighbor_;
   NurbsCurve side_;
   std::string name_;
   std::vector<double> at_;

@@ -82,7 +82,7 @@ constexpr double kLargestBound = 1e300;
 
 }  // namespace
 
-void PieceBounds::centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const {
+void PieceBounds::center(const glm::dvec4* points, std::size_t count, std::size_t middle, Centered& seen) const {
   seen.points.resize(count);
   const glm::dvec3 origin = project(points[middle]);
   if (!rational_) {
@@ -99,7 +99,7 @@ void PieceBounds::centre(const glm::dvec4* points, std::size_t count, std::size_
 
 /// Bounds for coordinates, or for heights, with the weights of a piece.
 template <class Value>
-SecondDerivativeBounds PieceBounds::bounds_of(const Value* values, const Centred& seen, std::size_t rows,
+SecondDerivativeBounds PieceBounds::bounds_of(const Value* values, const Centered& seen, std::size_t rows,
                                               std::size_t columns) const {
   NetDifferences point;
   add_second_differences(values, rows, columns, point);
@@ -125,7 +125,7 @@ SecondDerivativeBounds PieceBounds::bounds_of(const Value* values, const Centred
 
 SecondDerivativeBounds PieceBounds::bounds() {
   const std::size_t middle = piece_->rows / 2 * piece_->columns + piece_->columns / 2;
-  centre(piece_->values.data(), piece_->values.size(), middle, seen_);
+  center(piece_->values.data(), piece_->values.size(), middle, seen_);
   if (!(seen_.least > 0.0)) return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   return bounds_of(seen_.points.data(), seen_, piece_->rows, piece_->columns);
 }
@@ -141,7 +141,7 @@ double PieceBounds::side_distance(int side) {
   const std::size_t at = side % 2 == 0 ? 0 : (side < 2 ? piece_->rows : piece_->columns) - 1;
   side_points_.resize(count);
   for (std::size_t k = 0; k < count; ++k) side_points_[k] = side < 2 ? piece_->at(at, k) : piece_->at(k, at);
-  centre(side_points_.data(), count, count / 2, side_);
+  center(side_points_.data(), count, count / 2, side_);
   return bounds_of(side_.points.data(), side_, side < 2 ? 1 : count, side < 2 ? count : 1).distance();
 }
 

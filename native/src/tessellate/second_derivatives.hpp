@@ -39,21 +39,21 @@ class PieceBounds {
 
  private:
   /// A piece seen from one of its points, so that sizes are those of the piece.
-  struct Centred {
+  struct Centered {
     std::vector<glm::dvec3> points;
     std::vector<double> weights;
     double least = 1.0;  ///< of the weights
   };
 
-  void centre(const glm::dvec4* points, std::size_t count, std::size_t middle, Centred& seen) const;
+  void center(const glm::dvec4* points, std::size_t count, std::size_t middle, Centered& seen) const;
   template <class Value>
-  SecondDerivativeBounds bounds_of(const Value* values, const Centred& seen, std::size_t rows,
+  SecondDerivativeBounds bounds_of(const Value* values, const Centered& seen, std::size_t rows,
                                    std::size_t columns) const;
 
   bool rational_;
   const BernsteinNet<glm::dvec4>* piece_ = nullptr;
-  Centred seen_;
-  Centred side_;
+  Centered seen_;
+  Centered side_;
   std::vector<double> heights_;
   std::vector<glm::dvec4> side_points_;
 };

@@ -114,7 +114,7 @@ std::vector<std::int32_t> Tessellation::sharp_edges(std::span<const float> corne
     return std::atan2(glm::length(glm::cross(na, nb)), glm::dot(na, nb)) > angle;
   };
   std::vector<std::int32_t> sharp;
-  // Seams are sorted by vertices, so the sides of one edge are neighbours.
+  // Seams are sorted by vertices, so the sides of one edge are neighbors.
   for (std::size_t i = 1; i < parts_->seams.size(); ++i) {
     const MeshParts::Seam& a = parts_->seams[i - 1];
     const MeshParts::Seam& b = parts_->seams[i];

@@ -63,7 +63,7 @@ TEST(TurnedBoxes, DistancesAreThoseAlongTheirOwnDirections) {
       for (int c = 0; c < 3; ++c) group.axes[axis][c][i] = axes[axis][c];
       group.half[axis][i] = 1.0 + axis;
     }
-    group.centre[0][i] = static_cast<double>(i);
+    group.center[0][i] = static_cast<double>(i);
   }
   std::array<double, kBoxGroup> found;
   const glm::dvec3 beyond = 3.0 * glm::dvec3(root, root, 0) + glm::dvec3(0, 0, 5);

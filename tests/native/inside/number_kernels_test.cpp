@@ -68,7 +68,7 @@ TEST(NumberKernels, AWeightThatIsNotOneIsFoundAtEveryPlace) {
   }
 }
 
-TEST(NumberKernels, ChordsAreTheDistancesOfNeighbours) {
+TEST(NumberKernels, ChordsAreTheDistancesOfNeighbors) {
   testing::Random random(5);
   for (const std::size_t count : {4, 5, 6, 7, 8, 9, 63, 64}) {
     std::vector<glm::dvec3> points(count + 1);

@@ -35,7 +35,7 @@ std::vector<std::vector<double>> all_bounds() {
   return found;
 }
 
-/// All bounds, the middles between, and their neighbours.
+/// All bounds, the middles between, and their neighbors.
 std::vector<double> places_of(const std::vector<double>& bounds) {
   std::vector<double> places = bounds;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) places.push_back(Interval{bounds[i], bounds[i + 1]}.middle());

@@ -46,7 +46,7 @@ def make_exact(context, ob):
 
 def _require_native(ob, users):
     if ob.type not in TYPES:
-        raise Refusal("it is no curve, surface or text")
+        raise Refusal("it is not a curve, surface or text")
     if store.has_definition(ob.data):
         raise Refusal("it is exact already")
     for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:

@@ -40,7 +40,7 @@ def read(ob, depsgraph=None):
     what is being edited. Raises Refusal with a sentence where it cannot be told what Blender draws.
     """
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise Refusal(f"{ob.name} is no curve or surface")
+        raise Refusal(f"{ob.name} is not a curve or surface")
     is_surface = ob.type == 'SURFACE'
     splines, materials = _splines(ob, is_surface, depsgraph)
     make = native_values.surface_value if is_surface else native_values.curve_value

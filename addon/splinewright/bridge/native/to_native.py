@@ -16,7 +16,7 @@ def to_native(context, ob):
     objects. Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     if not shape.has_shape(ob):
-        raise Refusal("it is no Splinewright shape")
+        raise Refusal("it is not a Splinewright shape")
     data, users = ob.data, native_links.users_of(ob.data)
     shape.require_writable(data)
     shape.require_untouched(data)

@@ -1,7 +1,7 @@
 """A net gains and loses points in Blender's Edit Mode, of patches whole rows: net and shape take up what became of them.
 
 The points get the numbers of the stage that comes of it, and but for points that are being appended the places that they
-have in it: a knot that was inserted moves its neighbours.
+have in it: a knot that was inserted moves its neighbors.
 """
 
 from enum import IntEnum

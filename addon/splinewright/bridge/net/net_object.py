@@ -30,7 +30,7 @@ class DamagedNet(Refusal):
 
 
 def damaged(reason):
-    return DamagedNet(f"what is stored of this net is damaged ({str(reason)[:200]}): the shape keeps what it has")
+    return DamagedNet(f"the stored data of this net is damaged ({str(reason)[:200]}): the shape keeps what it has")
 
 
 def is_net(ob):

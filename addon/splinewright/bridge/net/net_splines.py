@@ -96,7 +96,7 @@ def letters_of(curve, slots):
 
 def _void(curve, net, vertices, types):
     """(m,) bool: handles of which Blender alone decided where they are: those that lead to points that are new, and of points
-    whose neighbours are others those that it computes. None where there are none."""
+    whose neighbors are others those that it computes. None where there are none."""
     void, first = np.zeros(len(vertices), bool), 0
     for spline in curve.splines:
         last = first + (3 if spline.type == 'BEZIER' else 1) * len(_points_of(spline))
@@ -115,7 +115,7 @@ def _void(curve, net, vertices, types):
 
 
 def _has_lost(net, vertices, is_closed):
-    """(k,) bool: which points of a spline, by their vertices, had a neighbour in the net that is not beside them now."""
+    """(k,) bool: which points of a spline, by their vertices, had a neighbor in the net that is not beside them now."""
     beside = np.stack([np.roll(vertices, 1), np.roll(vertices, -1)])
     if not is_closed:
         beside[0, :1] = beside[1, -1:] = -1
@@ -315,7 +315,7 @@ def set_flags(curve, chosen):
 
 def move(curve, rows):
     """Give points and handles positions and weights. rows: x, y, z, w by the slot of each. A point takes its handles along;
-    those that are computed from their neighbours are computed, and are so no more where they are given places."""
+    those that are computed from their neighbors are computed, and are so no more where they are given places."""
     first = 0
     for spline in curve.splines:
         points, is_bezier = _points_of(spline), spline.type == 'BEZIER'

@@ -106,7 +106,7 @@ def after(stages, parent, grown, answered):
         first = max(stage.end for stage in stages.values())
         net = replace(grown.net, first=first)
         if first + len(net.rows) >= _MOST:
-            raise Refusal("so many points were added and removed that their numbers are used up: leave the net, and go on")
+            raise Refusal("too many points were added and removed: leave the net and open it again")
         known = Stage(net, grown.note, parent.net.first, grown.origins, grown.added)
         stages[first] = known
     known.answers.add(answered)

@@ -100,7 +100,7 @@ def _are_rows(found, whole, slots):
 
 
 class _Ways:
-    """Chains of new vertices between neighbours, each told once."""
+    """Chains of new vertices between neighbors, each told once."""
 
     def __init__(self, cage):
         self._cage, self._known, self.taken = cage, {}, set()
@@ -121,14 +121,14 @@ class _Ways:
 
 
 def _pairs(slots, axis, periodic):
-    """Of each gap between rows along an axis the pairs of neighbours."""
+    """Of each gap between rows along an axis the pairs of neighbors."""
     rows = np.moveaxis(slots, axis, 0)
     following = np.roll(rows, -1, 0) if periodic else rows[1:]
     return [list(zip(row.tolist(), other.tolist())) for row, other in zip(rows, following)]
 
 
 def _cut(cage, found, periodic):
-    """Take up what was cut in; False where what is between neighbours is not told."""
+    """Take up what was cut in; False where what is between neighbors is not told."""
     ways, by_pair, lengths, halves = _Ways(cage), defaultdict(list), {}, []
     for i, (plan, around) in enumerate(zip(found, periodic)):
         for axis in (0, 1):
@@ -158,7 +158,7 @@ def _cut(cage, found, periodic):
 def _fractions(cage, ways, by_pair, lengths):
     """{gap: (fractions of the way at which rows were cut in, whether they are told from the next row backwards)}.
 
-    What was cut by one loop has one: where the new vertices lie between their neighbours, on the average.
+    What was cut by one loop has one: where the new vertices lie between their neighbors, on the average.
     """
     pairs_of = defaultdict(list)
     for uses in by_pair.values():

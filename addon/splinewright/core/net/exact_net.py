@@ -114,7 +114,7 @@ class Net:
         return np.cumsum(steps) - steps, are_bezier
 
     @cached_property
-    def neighbours(self):
+    def neighbors(self):
         """(k, 2): pairs of vertices that are connected, a closed curve's last and first left out: what is drawn on from
         there is connected to both. Handles of Bezier points count as beside those of the next."""
         pairs = [np.asarray(some, dtype=np.int64).reshape(-1, 2) for some in (*self.lines, self.arrows)]

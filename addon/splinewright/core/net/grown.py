@@ -1,6 +1,6 @@
 """What became of curves whose net gained and lost points: the definition that follows, and which point is which then.
 
-Points beyond an open end are appended, points between two neighbours subdivide, points that are gone are removed; splines
+Points beyond an open end are appended, points between two neighbors subdivide, points that are gone are removed; splines
 are closed and opened, parted and connected.
 Copies that lie where they were made are passed over.
 """
@@ -191,7 +191,7 @@ def _claimed(runs):
 
 
 def _links(run, own):
-    """{number of the first of two neighbours in the net: their slots}, where they are connected in a run."""
+    """{number of the first of two neighbors in the net: their slots}, where they are connected in a run."""
     after = np.arange(1, len(own) + run.closed) % max(len(own), 1)
     pairs = [(a, b) for a, b in enumerate(after.tolist()) if own[a] >= 0 <= own[b] and abs(own[a] - own[b]) == 1]
     return {int(min(own[a], own[b])): (a, b) for a, b in pairs}

@@ -57,7 +57,7 @@ def _faces(grid, periodic):
 
 
 def _pairs(grid, axis, periodic):
-    """Pairs of neighbours along an axis."""
+    """Pairs of neighbors along an axis."""
     first, second = grid, np.roll(grid, -1, axis)
     if not periodic:
         keep = [slice(None), slice(None)]

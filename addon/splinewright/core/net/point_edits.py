@@ -68,7 +68,7 @@ def removed(edited, place):
     curve, order = edited.curve, edited.order
     is_end = not edited.closed and place in (0, len(order) - 1)
     if len(order) <= 2:
-        raise Refusal("one point is no curve")
+        raise Refusal("a curve needs two points")
     if _is_chain(curve):
         if edited.closed and place == 0:
             curve, place = _begun_later(curve), len(order) - 1

@@ -50,7 +50,7 @@ def _are_typed(positions, typed):
 
 def slots(net, present):
     """(n,) of each vertex of a net the slot of its point among those present, or -1."""
-    return strays.chosen(present.numbers, len(net.rows), present.links, net.neighbours)
+    return strays.chosen(present.numbers, len(net.rows), present.links, net.neighbors)
 
 
 def read(net, present, typed, last):

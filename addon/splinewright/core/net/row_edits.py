@@ -64,7 +64,7 @@ def removed(edited, place):
     patch with a row less can."""
     patch, axis, order = edited.patch, edited.axis, edited.order
     if len(order) <= 2:
-        raise Refusal("one row of points is no patch")
+        raise Refusal("a patch needs two rows of points")
     if not is_periodic(edited):
         if place == 0:
             return _turned(removed(_turned(edited), len(order) - 1))

@@ -23,18 +23,18 @@ def of_net(numbers, found, seals):
     return np.where(known, numbers, -1)
 
 
-def chosen(numbers, count, links=None, neighbours=()):
+def chosen(numbers, count, links=None, neighbors=()):
     """(count,): for each number of the net the slot of its point in `numbers` (m,), or -1 where none has it.
 
     Of several it is the one that is connected as the net was, else the first. links: a function that gives pairs of
-    slots that are connected now, asked only where there are several; neighbours: pairs of numbers that were.
+    slots that are connected now, asked only where there are several; neighbors: pairs of numbers that were.
     """
     if len(numbers) == count and np.array_equal(numbers, np.arange(count)):
         return np.arange(count)
     slots = np.flatnonzero((numbers >= 0) & (numbers < count))
     own = numbers[slots]
     if links is not None and len(np.unique(own)) < len(own):
-        likeness = _likeness(numbers, count, np.asarray(links()).reshape(-1, 2), np.asarray(neighbours).reshape(-1, 2))
+        likeness = _likeness(numbers, count, np.asarray(links()).reshape(-1, 2), np.asarray(neighbors).reshape(-1, 2))
         order = np.lexsort((slots, -likeness[slots], own))
     else:
         order = np.lexsort((slots, own))
@@ -44,10 +44,10 @@ def chosen(numbers, count, links=None, neighbours=()):
     return result
 
 
-def _likeness(numbers, count, links, neighbours):
-    """(m,): to how many points each is connected that were its neighbours."""
+def _likeness(numbers, count, links, neighbors):
+    """(m,): to how many points each is connected that were its neighbors."""
     pairs = numbers[links]
-    known = (pairs >= 0).all(1) & (pairs < count).all(1) & np.isin(_keys(pairs, count), _keys(neighbours, count))
+    known = (pairs >= 0).all(1) & (pairs < count).all(1) & np.isin(_keys(pairs, count), _keys(neighbors, count))
     return np.bincount(links[known].ravel(), minlength=len(numbers))
 
 

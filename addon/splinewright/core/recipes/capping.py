@@ -10,7 +10,7 @@ from .recipe import Parameter, of_patches
 #: Which ends a recipe closes, as a parameter of it.
 CHOICES = (("none", "None", "Both ends stay open"), ("start", "Start", "Close the end where it starts"),
            ("end", "End", "Close the end where it ends"), ("both", "Both", "Close both ends"))
-PARAMETER = Parameter("caps", "Caps", "Which ends are closed; what is closed altogether has its normals outwards", "none",
+PARAMETER = Parameter("caps", "Caps", "Which ends are closed; the normals of a closed surface point outward", "none",
                       choices=CHOICES)
 _ENDS = {'none': (), 'start': ('start',), 'end': ('end',), 'both': ('start', 'end')}
 
@@ -85,7 +85,7 @@ def _ends(patch, is_one_of_several):
     axis = next((axis for axis, other in (('v', 'u'), ('u', 'v')) if _is_closed_along(patch, other)), "")
     if not axis:
         what = "one of its curves" if is_one_of_several else "what it is made from"
-        raise Refusal(f"{what} is open: no rim goes round its ends, so that these cannot be capped")
+        raise Refusal(f"{what} is open, so that its ends have no closed rims to cap")
     sides = {name: f"{axis}_{name}" for name in ('start', 'end')}
     if any(len(end) > 1 for end in open_ends):
         raise Refusal("what it is made from ends only near where it starts: its rims have a gap, and cannot be capped")

@@ -19,8 +19,8 @@ DEVIATION = Parameter("tolerance", "Tolerance", "How far a deformable one may li
 _OF_FORM = replace(DEVIATION, where=("form", ("deformable",)))
 
 #: They are half diameters where the points do not lie at right angles.
-_HALF_AXES = (("Half Axis A", "From the centre to the first end, in units of the object; the end moves along it", 0, 1),
-              ("Half Axis B", "From the centre to the second end, in units of the object; the end moves along it", 0, 2))
+_HALF_AXES = (("Half Axis A", "From the center to the first end, in units of the object; the end moves along it", 0, 1),
+              ("Half Axis B", "From the center to the second end, in units of the object; the end moves along it", 0, 2))
 
 
 def _by_weight(points, weight):
@@ -32,15 +32,15 @@ def _five_points(points):
 
 
 def _ellipse(points, form, tolerance):
-    centre, end_a, end_b = points
+    center, end_a, end_b = points
     if form == 'deformable':
-        return Result(*deformable.ellipse(centre, end_a - centre, end_b - centre, tolerance))
-    return Result(sc.conics.ellipse(centre, end_a - centre, end_b - centre, form))
+        return Result(*deformable.ellipse(center, end_a - center, end_b - center, tolerance))
+    return Result(sc.conics.ellipse(center, end_a - center, end_b - center, form))
 
 
 def _hyperbola(points):
-    centre, vertex, end_b = points
-    return Result(sc.conics.hyperbola(centre, vertex - centre, end_b - centre))
+    center, vertex, end_b = points
+    return Result(sc.conics.hyperbola(center, vertex - center, end_b - center))
 
 
 def _foci(points, distance):
@@ -84,22 +84,23 @@ def _whole(conic):
 
 RECIPES = (
     Recipe("conic", "Conic by Weight",
-           "An arc of a conic from three points: the weight of the middle one makes it an ellipse, a parabola, a hyperbola",
+           "A conic arc from three points; the middle weight makes it an ellipse, a parabola or a hyperbola",
            (Parameter("weight", "Weight", "1 is a parabola, below 1 an ellipse, above 1 a hyperbola; below 0 the rest of it",
                       math.sqrt(0.5), -10.0, 10.0),),
            _by_weight, ((1, 0, 0), (1, 1, 0), (0, 1, 0)), is_endless=True),
     Recipe("five_points", "Conic Through Five Points", "The one conic through five points of a plane", (), _five_points,
            ((-1, 0, 0), (-0.5, 0.6, 0), (0.3, 0.7, 0), (1, 0.1, 0), (0.4, -0.6, 0)), is_endless=True),
-    Recipe("ellipse", "Ellipse", "An ellipse by its centre and the ends of two half diameters", (_FORM, _OF_FORM), _ellipse,
+    Recipe("ellipse", "Ellipse", "An ellipse by its center and the ends of two half diameters", (_FORM, _OF_FORM), _ellipse,
            ((0, 0, 0), (1, 0, 0), (0, 0.6, 0)), lengths=_HALF_AXES),
-    Recipe("hyperbola", "Hyperbola", "Both branches by the centre, a vertex and the end of the other half diameter", (),
+    Recipe("hyperbola", "Hyperbola", "Both branches by the center, a vertex and the end of the other half diameter", (),
            _hyperbola, ((0, 0, 0), (0.5, 0, 0), (0, 0.5, 0)), lengths=_HALF_AXES),
     Recipe("foci", "Conic by Foci", "The ellipse or hyperbola of points whose distances from two foci have one sum or difference",
            (Parameter("distance", "Sum, Difference", "More than the distance of the foci: an ellipse; less: a hyperbola",
                       2.5, 0.0, unit='LENGTH'),), _foci, ((-1, 0, 0), (1, 0, 0))),
     Recipe("parabola", "Parabola", "The points as far from a focus as from the line through two others", (), _parabola,
            ((0, 0.25, 0), (-1, -0.25, 0), (1, -0.25, 0)), is_endless=True),
-    Recipe("equation", "Conic From Equation", "The curve of a x² + b xy + c y² + d x + e y + f = 0",
+    Recipe("equation", "Conic from Equation", "The conic of an implicit equation of degree 2 in x and y, by its six "
+                                              "coefficients",
            tuple(Parameter(name, name, f"The factor of {term}", default) for name, term, default in (
                ("a", "x²", 1.0), ("b", "xy", 0.0), ("c", "y²", 4.0), ("d", "x", 0.0), ("e", "y", 0.0),
                ("f", "1", -1.0))), _equation),
@@ -113,6 +114,6 @@ RECIPES = (
            (Parameter("by", "By", "What the points are", "through", choices=(
                ("through", "Three Points", "Its start, a point on it, its end"),
                ("tangent", "Tangent", "Its start, where it goes from there, its end"),
-               ("centre", "Centre", "Its centre, its start, and in which direction it ends: counterclockwise, seen from above"))),),
+               ("centre", "Center", "Its center, its start, and in which direction it ends: counterclockwise, seen from above"))),),
            _arc_by_points, ((1, 0, 0), (0.7, 0.7, 0), (0, 1, 0))),
 )

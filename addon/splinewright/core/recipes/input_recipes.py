@@ -1,6 +1,7 @@
 """What is made from other objects, live."""
 
 from .. import projecting, teaching, verbs
+from . import wanted
 from .recipe import Result, Parameter, Recipe
 
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
@@ -31,21 +32,21 @@ def _projected(inputs, tolerance, cancel=None):
 
 
 RECIPES = (
-    Recipe("follow", "Follow Object", "The same shape, in a place of its own", (), _follow, inputs=("one object",)),
+    Recipe("follow", "Live Copy", "A copy that follows the object, with its own transform", (), _follow, inputs=(wanted.ONE_OBJECT,)),
     Recipe("basis", "Basis Functions",
            "The graphs of the basis functions of a curve, exact, on its knots; they follow when the knots change",
            (Parameter("width", "Width", "From the first to the last knot", 2.0, 1e-3, unit='LENGTH'),
             Parameter("height", "Height", "Of the value 1", 1.0, unit='LENGTH'), _PIECE),
-           _basis, resolution=16, inputs=("one curve",), is_beside=True),
+           _basis, resolution=16, inputs=(wanted.ONE_CURVE,), is_beside=True),
     Recipe("construction", "Construction of a Point",
            "The polygons by which a point of a curve is found; they follow when the curve is edited",
            (Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0), _SCHEME,
             Parameter("marker", "Marker", "Radius of a circle around the point; 0 for none", 0.03, 0.0, unit='LENGTH'),
             _PIECE),
-           _construction, inputs=("one curve",)),
+           _construction, inputs=(wanted.ONE_CURVE,)),
     Recipe("projected", "Project Curve",
            "The curve of the nearest points on a surface, within a tolerance; it follows the curve and the surface",
            (Parameter("tolerance", "Tolerance", "How far the curve may lie from the nearest points, in the scene", 0.001, 1e-9,
-                      unit='LENGTH', of_scene=True),), _projected, resolution=24, inputs=("one curve", "one surface"), is_measured=True,
+                      unit='LENGTH', of_scene=True),), _projected, resolution=24, inputs=(wanted.ONE_CURVE, wanted.ONE_SURFACE), is_measured=True,
            takes_cancel=True),
 )

@@ -8,6 +8,7 @@ from .. import contours, flat, joints, meets, verbs
 from ..failures import Refusal
 from ..library import sc
 from ..numbers_in_words import numbers_of
+from . import wanted
 from .recipe import Parameter, Recipe, Result, share_of_size
 from .surface_recipes import AXIS, axis_of
 
@@ -100,7 +101,7 @@ def _ends_to_blend(first, first_end, second, second_end):
                       for j, end_b in enumerate(('start', 'end')) if second_end in ('nearest', end_b)]
     pairs = [pair for pair in pairs if np.isfinite(pair[0])]
     if not pairs:
-        raise Refusal("a curve is closed, or its ends lie at infinity: there is no end to go on from")
+        raise Refusal("a curve is closed, or its ends lie at infinity: it has no end to continue")
     return min(pairs, key=lambda pair: pair[0])[1:]
 
 
@@ -131,7 +132,7 @@ def _on_patch(inputs, distance, unit, piece, tolerance, cancel=None):
 
 def _contour(points, corners, corner_size, closed, arcs):
     if len(points) < 2:
-        raise Refusal("one point is no curve: a contour needs two")
+        raise Refusal("a contour needs two points")
     if closed and len(points) < 3:
         raise Refusal("a closed contour needs 3 points or more")
     if arcs.strip():
@@ -183,12 +184,12 @@ def _side(start, end, length):
 
 STARTING = (
     Recipe("contour", "Contour", "Segments through points, with corners that are sharp, round or cut off",
-           (Parameter("corners", "Corners", "What is put in their place", "round", choices=(
+           (Parameter("corners", "Corners", "How corners are made", "round", choices=(
                ("sharp", "Sharp", "Nothing"), ("round", "Round", "Arcs of circles"), ("cut", "Cut Off", "Segments"))),
             Parameter("corner_size", "Corner Size", "Radius of the arcs, or how far from the corner it is cut", 0.2, 1e-6, unit='LENGTH',
                       where=("corners", ("round", "cut"))),
             Parameter("closed", "Closed", "Go back to the first point", False),
-            Parameter("arcs", "Arcs", "Numbers of the sides that are arcs and go on smoothly from the side before, such as 2, 4-6", "")),
+            Parameter("arcs", "Arcs", "Numbers of sides that are arcs tangent to the side before, such as 2, 4-6", "")),
            _contour, ((-1, -0.7, 0), (1, -0.7, 0), (1, 0.3, 0), (0, 1, 0), (-1, 0.3, 0)), True, 12),
 )
 BESIDE_CURVES = (
@@ -198,17 +199,17 @@ BESIDE_CURVES = (
             Parameter("corner", "Corners", "What fills the gap at an outer corner", "round", choices=(
                 ("round", "Round", "An arc about the corner"),
                 ("sharp", "Sharp", "The corner of both sides, up to four times the distance away"))),
-            Parameter("trimmed", "Trimmed", "Without what is nearer to the curve than the distance: cusps and loops", True),
-            _TOLERANCE), _offset, resolution=24, inputs=("one curve",), is_measured=True, takes_cancel=True,
+            Parameter("trimmed", "Trimmed", "Remove parts nearer to the curve than the distance: cusps and loops", True),
+            _TOLERANCE), _offset, resolution=24, inputs=(wanted.ONE_CURVE,), is_measured=True, takes_cancel=True,
            first_values=_first_distance),
-    Recipe("about", "Helix About Curve",
+    Recipe("about", "Helix Around Curve",
            "A helix, or where the radii differ a spiral, about a curve; it follows when that is edited",
            (Parameter("radius", "Radius", "At the start of the curve", 0.2, 0.0, unit='LENGTH'),
             Parameter("end_radius", "End Radius", "At its end", 0.2, 0.0, unit='LENGTH', follows="radius"),
             Parameter("turns", "Turns", "How often around; below 0 the other way", 8.0, -1000.0, 1000.0),
             Parameter("phase", "Phase", "Angle at which it starts", 0.0, unit='ROTATION'), _PIECE, _OWN_TOLERANCE),
-           _about, resolution=8, inputs=("one curve",), takes_cancel=True, first_values=_first_radii),
-    Recipe("blend", "Blend", "A curve from an end of one curve to an end of another one that goes on as they do; it follows both",
+           _about, resolution=8, inputs=(wanted.ONE_CURVE,), takes_cancel=True, first_values=_first_radii),
+    Recipe("blend", "Blend", "A live curve between ends of two curves that continues both smoothly",
            (Parameter("continuity", "Continuity", "What it shares with the curves at their ends", "G2", choices=(
                ("G0", "G0", "The point: a segment"), ("G1", "G1", "The direction, too"), ("G2", "G2", "The curvature, too"),
                ("G3", "G3", "How that changes, too"))),
@@ -216,23 +217,23 @@ BESIDE_CURVES = (
             Parameter("second_end", "Second End", "Where the second curve is met", "nearest", choices=_ENDS),
             Parameter("first_strength", "First Strength", "How far it follows the first curve", 1.0, 1e-3, 100.0),
             Parameter("second_strength", "Second Strength", "How far it follows the second curve", 1.0, 1e-3, 100.0)),
-           _blend, resolution=24, inputs=("one curve", "another curve")),
+           _blend, resolution=24, inputs=(wanted.ONE_CURVE, wanted.ANOTHER_CURVE)),
 )
 WHERE_SURFACES_MEET = (
     Recipe("section", "Section", "The curves that two surfaces have in common; they follow both",
-           (_TOLERANCE,), _section, resolution=12, inputs=("one surface", "another surface"), is_measured=True,
+           (_TOLERANCE,), _section, resolution=12, inputs=(wanted.ONE_SURFACE, wanted.ANOTHER_SURFACE), is_measured=True,
            takes_cancel=True),
     Recipe("planes", "Section by Planes", "The curves in which planes cut a surface; they follow it",
            (AXIS, Parameter("offset", "Offset", "From the origin along the axis to the first plane", 0.0, unit='LENGTH'),
             Parameter("count", "Planes", "How many, side by side", 1, 1, 1000),
             Parameter("spacing", "Spacing", "From one plane to the next", 0.25, unit='LENGTH'), _OWN_TOLERANCE),
-           _planes, resolution=12, inputs=("one surface",), frame="Along", takes_cancel=True,
+           _planes, resolution=12, inputs=(wanted.ONE_SURFACE,), frame="Along", takes_cancel=True,
            first_values=_first_planes),
     Recipe("on_patch", "Curve on Patch",
-           "The curve of a patch whose u and v are the x and y of a plane curve, or at a distance from it; it follows both",
+           "A live curve on a patch: x and y of a plane curve become u and v, or with a distance",
            (Parameter("distance", "Distance", "From the patch along its normals", 0.0, unit='LENGTH'),
             Parameter("unit", "Unit Square", "Map 0 to 1 of the plane to the whole domain; otherwise x and y are u and v", True),
             Parameter("piece", "Piece", "Which patch of the surface, counted from 1", 1, 1), _OWN_TOLERANCE),
-           _on_patch, resolution=12, inputs=("one surface", "one curve"), own_spaces=(1,), takes_cancel=True),
+           _on_patch, resolution=12, inputs=(wanted.ONE_SURFACE, wanted.ONE_CURVE), own_spaces=(1,), takes_cancel=True),
 )
 RECIPES = (*STARTING, *BESIDE_CURVES, *WHERE_SURFACES_MEET)

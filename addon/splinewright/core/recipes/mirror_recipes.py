@@ -6,6 +6,7 @@ import numpy as np
 
 from .. import decimals, mirroring
 from ..failures import Refusal
+from . import wanted
 from .recipe import Parameter, Recipe, Result, of_patches
 from .surface_recipes import AXIS, axis_of
 
@@ -45,12 +46,11 @@ def _first_values(inputs):
 
 RECIPES = (
     Recipe("mirror", "Mirror",
-           "A curve or surface and its image in a plane, as one shape: ends and borders on the plane are joined, and go on smoothly "
-           "across it; it follows the half",
+           "A live curve or surface joined with its mirror image, smooth across the plane",
            (replace(AXIS, description="Across which the plane lies: of the plane object, or its own, through the origin"),
             Parameter("gap", "Merge Distance", "How far ends and borders may lie from the plane to be taken onto it", 1e-3, 0.0,
                       unit='LENGTH', of_scene=True),
-            Parameter("smooth", "Smooth Across", "Move points beside the plane so that tangent planes and curvatures (G2) go on "
-                      "across it", True)),
-           _mirror, is_surface=True, covers_inputs=True, resolution=12, inputs=("one curve or surface",), frame="Plane", first_values=_first_values),
+            Parameter("smooth", "Smooth Across", "Move points next to the plane so that tangent planes and curvatures (G2) "
+                                                 "are continuous across it", True)),
+           _mirror, is_surface=True, covers_inputs=True, resolution=12, inputs=(wanted.CURVE_OR_SURFACE,), frame="Plane", first_values=_first_values),
 )

@@ -87,7 +87,7 @@ class Recipe:
     count_for: Callable | None = None   # (values) -> how many of the points to start from
     is_endless: bool = False            # curves may run far: they are shown as far as the reach around the points
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
-                                        # points: "one curve"; make() takes a list of their Definitions
+                                        # points, of wanted.Input; make() takes a list of their Definitions
     has_more: bool = False              # it takes any number of what the last of `inputs` says, in an order that can be changed
     is_from_mesh: bool = False          # its input is a mesh that shows no shape: make() takes core.polygons.Polygons
     takes_points: bool = False          # an empty is an input, too: make() takes a core.sections.Point for it
@@ -112,7 +112,7 @@ class Recipe:
     @property
     def wanted(self):
         """What is to be selected."""
-        return ' and '.join(self.inputs)
+        return ' and '.join(one.text for one in self.inputs)
 
     def takes(self, count):
         """Whether it can be made from so many objects."""

@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
-from .. import decimals, holes, lofts, neighbours, overlaps, rails, rims, sections, verbs
+from .. import decimals, holes, lofts, neighbors, overlaps, rails, rims, sections, verbs
 from ..failures import AboutInputs, Refusal, about_input, about_items
 from ..library import sc
-from . import capping
+from . import capping, wanted
 from .recipe import Parameter, Recipe, Result, of_patches
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
@@ -131,16 +131,16 @@ def _network(inputs, tolerance, gap, cancel=None):
     numbers = [number for number, definition in enumerate(inputs) if definition.has_curves]
     curves = [_one_of(inputs, number) for number in numbers]
     others = [number for number in range(len(inputs)) if number not in numbers]
-    sides = neighbours.beside([verbs.pieces_of(inputs[number]) for number in others], curves, gap or tolerance, others)
+    sides = neighbors.beside([verbs.pieces_of(inputs[number]) for number in others], curves, gap or tolerance, others)
     beside = [side for side, _ in sides]
     families = sections.families(curves, gap or tolerance, numbers)
     along_u, along_v = ([curve for curve, _ in family] for family in families)
     of_u, of_v = ([number for _, number in family] for family in families)
-    with about_items(along_u=of_u, along_v=of_v, neighbours=[number for _, number in sides]):
-        found = sc.build.network(along_u, along_v, neighbours=beside, tolerance=tolerance, gap=gap or None, cancel=cancel)
+    with about_items(along_u=of_u, along_v=of_v, neighbors=[number for _, number in sides]):
+        found = sc.build.network(along_u, along_v, neighbors=beside, tolerance=tolerance, gap=gap or None, cancel=cancel)
     if not beside:
         return _within(found)
-    angle = neighbours.angle_to(found.value, beside, gap or tolerance)
+    angle = neighbors.angle_to(found.value, beside, gap or tolerance)
     return Result(found.value, found.error, f"angle {_degrees(angle)}° to surfaces beside it")
 
 
@@ -229,31 +229,30 @@ def _ends_of_loft():
 
 FROM_CURVES = (
     Recipe("loft", "Loft",
-           "The surface through sections, curves in any order and direction; it goes on from surfaces beside the first and the last "
-           "one, and closes in points; it follows them",
+           "A live surface through sections in any order; it can continue surfaces at both ends and close in points",
            (Parameter("style", "Style", "How it runs from section to section", "normal", choices=_STYLES),
-            Parameter("closed", "Closed", "Go on from the last section to the first", False),
+            Parameter("closed", "Closed", "Continue from the last section to the first", False),
             Parameter("align", "Align", "Find out how each section runs, and where a closed one begins", True),
             Parameter("match_corners", "Match Corners", "Where all sections have as many corners, let an edge run from each corner to "
                       "that of the next section", True, before=False),
-            Parameter("simple", "Few Points", "Let sections give way within the tolerance, for as few points as that allows", False),
+            Parameter("simple", "Reduce Control Points", "Let sections give way within the tolerance, for as few points as that allows", False),
             _TOLERANCE, *_ends_of_loft(), capping.PARAMETER),
-           _loft, is_surface=True, resolution=8, inputs=("one curve", "more curves, surfaces or points"), has_more=True,
+           _loft, is_surface=True, resolution=8, inputs=(wanted.ONE_CURVE, wanted.MORE_SECTIONS), has_more=True,
            takes_points=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_loft_order, first_values=_first_ends),
     Recipe("sweep", "Sweep", "The surface of sections that move along a rail, the active curve; it follows them",
            (_PLACED, Parameter("frame", "Frame", "How it turns with the rail", "minimal", choices=_FRAMES),
             Parameter("end_scale", "End Scale", "Size at the end of the rail by that at its start", 1.0, 1e-3, 1e3),
-            Parameter("twist", "Twist", "Turn about the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
+            Parameter("twist", "Twist", "Rotation around the rail from its start to its end", 0.0, -200 * math.pi, 200 * math.pi,
                       unit='ROTATION'),
             Parameter("own_radius", "Radius of Curve", "Sections are as much larger as the radius of the rail's points says, which "
                       "Alt+S changes", False), _TOLERANCE, capping.PARAMETER),
-           _sweep, is_surface=True, resolution=8, inputs=("one curve", "more curves"), has_more=True, has_turns=True,
+           _sweep, is_surface=True, resolution=8, inputs=(wanted.ONE_CURVE, wanted.MORE_CURVES), has_more=True, has_turns=True,
            takes_spaces=True, is_measured=True, takes_cancel=True, arranged=_along_the_rail, fixed=1,
            radius_asked="own_radius"),
     Recipe("two_rails", "Sweep on Two Rails",
            "The surface of sections that run from one rail, the active curve, to a second one; it follows them",
            (Parameter("height", "Height", "Of sections where the rails come nearer or part", "scaled", choices=_HEIGHTS),
-            _TOLERANCE, capping.PARAMETER), _two_rails, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more curves"),
+            _TOLERANCE, capping.PARAMETER), _two_rails, is_surface=True, resolution=8, inputs=(wanted.ONE_CURVE, wanted.ANOTHER_CURVE, wanted.MORE_CURVES),
            has_more=True, has_turns=True, is_measured=True, takes_cancel=True, arranged=_rails_first, fixed=2),
     Recipe("pipe", "Pipe", "A pipe about a curve, which it follows",
            (Parameter("radius", "Radius", "At the start of the curve", 0.1, 1e-6, unit='LENGTH'),
@@ -261,24 +260,22 @@ FROM_CURVES = (
             Parameter("own_radius", "Radius of Curve", "Times the radius of the curve's points, which Alt+S changes", False),
             Parameter("caps", "Caps", "What closes its ends", "none", choices=_CAPS),
             Parameter("capped", "Capped", "Which ends caps close", "both", choices=_CAPPED), _TOLERANCE),
-           _pipe, is_surface=True, resolution=8, inputs=("one curve",), is_measured=True, takes_cancel=True,
+           _pipe, is_surface=True, resolution=8, inputs=(wanted.ONE_CURVE,), is_measured=True, takes_cancel=True,
            first_values=_first_radii, radius_asked="own_radius"),
 )
 FROM_BOTH = (
-    Recipe("network", "Surface of a Network",
-           "The surface on which curves lie that run across each other, in any order; from surfaces on whose sides its outermost "
-           "curves lie it goes on with their tangent planes; it follows them",
+    Recipe("network", "Network Surface",
+           "A live surface through two families of crossing curves; it can start tangent to surfaces at its borders",
            (_TOLERANCE, Parameter("gap", "Gap", "How far curves may pass one another, in the scene; 0: as far as the tolerance", 0.0,
                                   0.0, unit='LENGTH')),
-           _network, is_surface=True, resolution=8, inputs=("one curve", "another curve", "more"), has_more=True,
+           _network, is_surface=True, resolution=8, inputs=(wanted.ONE_CURVE, wanted.ANOTHER_CURVE, wanted.MORE), has_more=True,
            is_measured=True, takes_cancel=True),
     Recipe("filling", "Fill",
-           "The surface in a hole: within a closed curve, in the open end of a tube, or between three to eight curves and surfaces in "
-           "any order, from which it goes on; it follows them",
+           "A live surface in a hole: within a closed curve, a tube's end, or three to eight curves and surfaces",
            (Parameter("continuity", "Continuity", "What it shares with surfaces along their sides", "G1", choices=(
                ("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"))),
             Parameter("other", "Other End", "Of a tube that is open at both ends, the other one", False),
-            _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=("one curve or surface",),
+            _TOLERANCE), _filling, is_surface=True, resolution=8, inputs=(wanted.CURVE_OR_SURFACE,),
            has_more=True, is_measured=True, takes_cancel=True),
 )
 RECIPES = (*FROM_CURVES, *FROM_BOTH)

@@ -12,6 +12,7 @@ from ..library import sc
 from . import capping
 from .curve_recipes import constants_of, formula_of
 from .conic_recipes import DEVIATION
+from . import wanted
 from .recipe import Result, Parameter, Recipe, of_patches, share_of_size
 
 _RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
@@ -23,8 +24,8 @@ _DEFORMABLE = Parameter("deformable", "Deformable", "No exact one: cubic, withou
                         "the tolerance", False)
 _CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
-AXIS = Parameter("axis", "Axis", "Of the axis object, or of its own, through the origin and the offset", "z", choices=tuple(
-    (name, name.upper(), f"The {name} axis of the axis object, or of its own where there is none") for name in _AXES))
+AXIS = Parameter("axis", "Axis", "Axis of the axis object, or of this object through the origin and the offset", "z", choices=tuple(
+    (name, name.upper(), f"The {name} axis of the axis object, or of this object if there is none") for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
                        unit='LENGTH', of_scene=True)
 #: A profile whose points lie nearer to a plane than this part of its width lies in it.
@@ -144,7 +145,7 @@ PRIMITIVES = (
     Recipe("torus", "Torus", "An exact torus, or a deformable one",
            (_RADIUS, Parameter("tube_radius", "Tube Radius", "Of the tube", 0.25, 1e-6, unit='LENGTH'), _START,
             _SWEEP, _DEFORMABLE, DEVIATION), _torus, is_surface=True, resolution=12),
-    Recipe("surface_formula", "From Formula",
+    Recipe("surface_formula", "Surface from Formula",
            "A surface from formulas in u and v: exact for polynomials, otherwise within a tolerance",
            (Parameter("x", "x(u, v)", "Numbers, u, v, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "u"),
             Parameter("y", "y(u, v)", "As x", "v"), Parameter("z", "z(u, v)", "As x", "0.3*sin(pi*u)*cos(pi*v)"),
@@ -161,14 +162,14 @@ FROM_CURVES = (
                          unit='LENGTH') for name in _AXES),
              Parameter("deformable", "Deformable", "Cubic around, without weights there and smooth everywhere, to be sculpted: it lies "
                        "within the tolerance of the exact surface", False), DEVIATION, capping.PARAMETER),
-           _revolve, is_surface=True, resolution=12, inputs=("one curve",),
+           _revolve, is_surface=True, resolution=12, inputs=(wanted.ONE_CURVE,),
            frame="About", first_values=_suggested_axis),
     Recipe("extrude", "Extrude",
            "The surface of a curve that moves along a vector; it follows when the curve is edited",
            (*(Parameter(name, name.upper(), f"Along {name} of the object", default, unit='LENGTH')
               for name, default in (("x", 0.0), ("y", 0.0), ("z", 1.0))), capping.PARAMETER),
-           _extrude, is_surface=True, resolution=12, inputs=("one curve",)),
+           _extrude, is_surface=True, resolution=12, inputs=(wanted.ONE_CURVE,)),
     Recipe("ruled", "Ruled Surface", "The segments between two curves; it follows when they are edited",
            (Parameter("turned", "Turn One", "Let the second curve run the other way", False),), _ruled, is_surface=True,
-           resolution=12, inputs=("one curve", "another curve")),
+           resolution=12, inputs=(wanted.ONE_CURVE, wanted.ANOTHER_CURVE)),
 )

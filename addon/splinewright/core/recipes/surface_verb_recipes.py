@@ -5,9 +5,11 @@ import math
 from .. import decimals, matching, overlaps, patch_joints, verbs
 from ..failures import Refusal, about_input
 from ..library import sc
+from ..patch_curves import SIDE_CHOICES
 from ..rounding import crossing
 from ..rounding import edges as rounding
 from .meeting_recipes import patches_of
+from . import wanted
 from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,
@@ -15,8 +17,7 @@ _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie fr
 _PIECE = Parameter("piece", "Piece", "Which patch of the surface, counted from 1", 1, 1)
 _CONTINUITIES = (("G0", "G0", "The points"), ("G1", "G1", "The tangent planes, too"), ("G2", "G2", "The curvatures, too"),
                  ("G3", "G3", "How these change, too"))
-_SIDES = (("nearest", "Nearest", "The side that lies nearest to the other surface"), ("u_start", "u Start", "Where u starts"),
-          ("u_end", "u End", "Where u ends"), ("v_start", "v Start", "Where v starts"), ("v_end", "v End", "Where v ends"))
+_SIDES = (("nearest", "Nearest", "The side that lies nearest to the other surface"), *SIDE_CHOICES)
 
 
 def _side(name, label, whose):
@@ -173,44 +174,43 @@ def _covered_by_matched(values):
 
 RECIPES = (
     Recipe("surface_blend", "Blend Surfaces",
-           "The surface from a side of one surface to a side of another one that goes on as they do; it follows both",
+           "A live surface between sides of two surfaces that continues both smoothly",
            (_continuity("What it shares with the surfaces along their sides"), _side("first_side", "First Side", "first"),
             _side("second_side", "Second Side", "second"),
             Parameter("first_strength", "First Strength", "How far it follows the first surface", 1.0, 1e-3, 100.0),
             Parameter("second_strength", "Second Strength", "How far it follows the second surface", 1.0, 1e-3, 100.0)),
-           _blend, is_surface=True, resolution=12, inputs=("one surface", "another surface")),
+           _blend, is_surface=True, resolution=12, inputs=(wanted.ONE_SURFACE, wanted.ANOTHER_SURFACE)),
     Recipe("matched", "Match Surface",
-           "The active surface with a side moved onto that of another one, from where it goes on as that does; it follows both",
+           "A live copy of the active surface with a side moved onto that of another, continuing it smoothly",
            (_continuity("What it shares with the other surface"), _side("first_side", "Its Side", "active"),
             _side("second_side", "Other Side", "other"),
             Parameter("rows", "Rows", "Of its control points that may move, from the side on; 0 for as few as it takes", 0, 0, 1000),
             Parameter("strength", "Strength", "How far it follows the other surface; at 1 its points move least", 1.0, 1e-3, 100.0),
-            Parameter("both", "Both Move", "Both surfaces move half way, and are one shape", False)),
-           _matched, is_surface=True, covers_inputs=True, covered=_covered_by_matched, resolution=12, inputs=("one surface", "another surface"), takes_cancel=True),
+            Parameter("both", "Move Both", "Both surfaces move half way, and are one shape", False)),
+           _matched, is_surface=True, covers_inputs=True, covered=_covered_by_matched, resolution=12, inputs=(wanted.ONE_SURFACE, wanted.ANOTHER_SURFACE), takes_cancel=True),
     Recipe("rounded_edge", "Round Edge",
-           "Surfaces whose edges are replaced by a surface that a rolling ball touches: of the edge in which two surfaces meet, or "
-           "cross, of all edges of one, or of those whose numbers are given; it follows them",
+           "Live surfaces with rounded edges, as a rolling ball makes them: where two surfaces meet, or edges of one",
            (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends", "radius"),
             _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"),
-            Parameter("edges", "Edges", "Numbers of the edges that are rounded, such as 1, 4-6, as the view shows them while the result "
-                      "is active; none: where two surfaces meet, or all of one", ""), _TOLERANCE),
-           _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface or more",), has_more=True, is_measured=True,
+            Parameter("edges", "Edges", "Numbers of edges to round, such as 1, 4-6; none: the edge in which two surfaces "
+                                        "meet, or all edges of one", ""), _TOLERANCE),
+           _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=(wanted.SURFACES,), has_more=True, is_measured=True,
            takes_cancel=True),
     Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it is live",
            (_distance("Distance", "Along the normals; below 0 to the other side"), _TOLERANCE), _offset, is_surface=True,
-           resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True, first_values=_first_distance),
+           resolution=8, inputs=(wanted.ONE_SURFACE,), is_measured=True, takes_cancel=True, first_values=_first_distance),
     Recipe("thickened", "Thicken", "The closed body between a surface and one at a distance from it; it is live",
            (_distance("Thickness", "Along the normals; below 0 to the other side"),
-            Parameter("middle", "To Both Sides", "Half of it to each side", False), _PIECE, _TOLERANCE),
-           _thickened, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface",), is_measured=True, takes_cancel=True,
+            Parameter("middle", "Both Sides", "Half of it to each side", False), _PIECE, _TOLERANCE),
+           _thickened, is_surface=True, covers_inputs=True, resolution=8, inputs=(wanted.ONE_SURFACE,), is_measured=True, takes_cancel=True,
            first_values=_first_distance),
     Recipe("extended_surface", "Extend Surface", "The surface made longer at a side; it is live",
            (Parameter("side", "Side", "Where it is made longer", "u_end", choices=_SIDES[1:]),
             Parameter("length", "Length", "On average along the side", 0.5, 1e-6, unit='LENGTH'),
-            Parameter("how", "How", "How it goes on", "natural", choices=(
+            Parameter("how", "How", "How it is extended", "natural", choices=(
                 ("natural", "Natural", "By the polynomials of its last span"), ("straight", "Straight", "Along its tangents"))), _PIECE),
-           _extended, is_surface=True, covers_inputs=True, resolution=8, inputs=("one surface",)),
-    Recipe("of_mesh", "Make NURBS of Mesh",
+           _extended, is_surface=True, covers_inputs=True, resolution=8, inputs=(wanted.ONE_SURFACE,)),
+    Recipe("of_mesh", "Make NURBS from Mesh",
            "The surface to which a mesh converges that is subdivided (Catmull and Clark), as exact patches; it follows the mesh",
-           (), _of_mesh, is_surface=True, covers_inputs=True, resolution=3, inputs=("one mesh",), is_from_mesh=True, takes_cancel=True),
+           (), _of_mesh, is_surface=True, covers_inputs=True, resolution=3, inputs=(wanted.ONE_MESH,), is_from_mesh=True, takes_cancel=True),
 )

@@ -15,18 +15,18 @@ from ..library import sc
 _LEAST_WEIGHT, _HIGHEST = 0.02, 8
 
 
-def net_of(centre, radius, a, b, c):
+def net_of(center, radius, a, b, c):
     """(3, 3, 4): homogeneous points in Bernstein form, u from the side a b to the side a c, v from a to the side b c."""
-    frame, (north, east) = _frame((a - centre) / radius), np.eye(2)
-    first = _spinor(frame @ ((b - centre) / radius))
-    second = _spinor(frame @ ((c - centre) / radius))
+    frame, (north, east) = _frame((a - center) / radius), np.eye(2)
+    first = _spinor(frame @ ((b - center) / radius))
+    second = _spinor(frame @ ((c - center) / radius))
     second = second * _phase(np.vdot(second, first))
     pole = north * _phase(second[0])
     corners = np.array([[north, first], [pole, second]])
     net = np.zeros((3, 3, 4))
     for (i, j), (k, m) in product(product(range(2), repeat=2), repeat=2):
         net[i + k, j + m] += _between(corners[i, j], corners[k, m]) / (math.comb(2, i + k) * math.comb(2, j + m))
-    net[..., :3] = net[..., 3:] * centre + radius * (net[..., :3] @ frame)
+    net[..., :3] = net[..., 3:] * center + radius * (net[..., :3] @ frame)
     return net
 
 

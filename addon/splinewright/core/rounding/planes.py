@@ -118,7 +118,7 @@ class _Rounding:
         way = self.body.corners[beside.start if beside.end == corner else beside.end] - place
         into = way @ ridge.into(face)
         if not into > _LEAST_ANGLE * np.linalg.norm(way):
-            raise Refusal(f"{self._named(corner)}: a side goes on there as the edge does")
+            raise Refusal(f"{self._named(corner)}: a side is tangent to the edge there")
         return place + way * (self.radius / math.tan(ridge.half) / into)
 
     def _miter(self, corner, first, second, faces):
@@ -130,7 +130,7 @@ class _Rounding:
         is_one = abs(first.half - second.half) <= _SAME and np.linalg.norm(ends[0] - ends[1]) <= _SAME * self.body.size
         if not is_one:
             numbers = _listed(sorted((first.number, second.number)))
-            raise Refusal(f"{self._named(corner)}: {numbers} meet the surface between them at different angles, and what is left of "
+            raise Refusal(f"{self._named(corner)}: {numbers} meet the surface between them at different angles, and the rest of "
                           "the third edge would have to be trimmed: round all three edges there, or one")
         self.at[shared, corner] = place + away - sides[0] * self.radius * normals[0]
         for ridge in (first, second):
@@ -200,7 +200,7 @@ class _Rounding:
         if not made:
             near = sorted({ridge.number for ridge in self.ridges if face in ridge.faces or any(
                 (face, end) in self.arcs_of and self.arcs_of[face, end] is ridge for end in ridge.ends)})
-            raise Refusal(f"what is left of a plane beside {_listed(near)} cannot be filled: the radius is too large for it")
+            raise Refusal(f"the rest of a plane beside {_listed(near)} cannot be filled: the radius is too large for it")
         return made
 
     def _pieces(self, face, span, changing):

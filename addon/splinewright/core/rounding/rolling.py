@@ -154,7 +154,7 @@ class _Rolling:
             return
         start, end = (np.asarray(patch.boundary(side).points) for patch, side in ((first, 'u_start'), (last, 'u_end')))
         if start.shape != end.shape or not np.abs(start - end).max() <= 1e-9 * self.body.size:
-            raise Refusal(f"edge {self.edge.number}: it is closed, but does not go on smoothly where it closes")
+            raise Refusal(f"edge {self.edge.number}: it is closed, but has a corner where it closes")
 
     def _where(self, corner):
         return f"edge {self.edge.number}, {named(self.body, corner)}"
@@ -242,7 +242,7 @@ class _Rolling:
                 gaps = np.abs(np.asarray(one.points)[[0, -1]] - [start, end]).max()
                 if gaps <= 1e-9 * self.body.size:
                     return one
-        raise Refusal(f"{where}: the rounded edge does not end where what is left of the surfaces does")
+        raise Refusal(f"{where}: the rounded edge and the trimmed surfaces do not end together")
 
     def _refill(self, i):
         """What is left of the plane face of strips."""
@@ -262,7 +262,7 @@ class _Rolling:
     def _fill(self, face, pieces, where):
         made = filled(pieces, self.outline(face).normal, self.body.size)
         if not made:
-            raise Refusal(f"{where}: what is left of the plane there cannot be filled: the radius is too large for it")
+            raise Refusal(f"{where}: the rest of the plane there cannot be filled: the radius is too large for it")
         self.left[face] = made
 
     def _cells(self):

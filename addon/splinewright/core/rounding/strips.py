@@ -68,7 +68,7 @@ def _beside(points, normal, width, is_periodic, ends):
 def _slide(end, left):
     """Along a direction, as far to the left as a unit."""
     if not end @ left > _SHORT * np.linalg.norm(end):
-        raise Refusal("a side goes on from the edge as the edge itself does, or back: it would have to be trimmed")
+        raise Refusal("a side is tangent to the edge: it would have to be trimmed")
     return end / (end @ left)
 
 

@@ -41,7 +41,7 @@ class Faces(NamedTuple):
     triangles: np.ndarray               # (t, 3) int32
 
 
-def coloured(tessellation, patch_set, value):
+def colored(tessellation, patch_set, value):
     """The Faces of patches with a number of CURVATURES. Raises as splinecore.Tessellation.evaluate()."""
     positions, normals = tessellation.evaluate(patch_set)
     corners, starts, uvs = tessellation.corner_vertices, tessellation.face_starts, tessellation.corner_uvs
@@ -54,12 +54,12 @@ def coloured(tessellation, patch_set, value):
 
 
 def shaded(tessellation, patch_set):
-    """The Faces of patches where normals are exact inside of large faces, too; values are 0. Raises as coloured()."""
+    """The Faces of patches where normals are exact inside of large faces, too; values are 0. Raises as colored()."""
     return placed(tessellation, patch_set)[0]
 
 
 def placed(tessellation, patch_set):
-    """(shaded(), the Places of its corners). Raises as coloured()."""
+    """(shaded(), the Places of its corners). Raises as colored()."""
     positions, normals = tessellation.evaluate(patch_set)
     sizes = np.diff(np.append(tessellation.face_starts, len(tessellation.corner_vertices)))
     corners, fans = tessellation.corner_vertices, _fans(tessellation.face_starts, len(tessellation.corner_vertices))

@@ -11,6 +11,7 @@ from .adding import AddShape, count_property, degree_property, enough_points, kn
 class SPLINEWRIGHT_OT_add_line(AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_line"
     bl_label = "Add Line"
+    button = "Line"
     bl_description = "Add a straight segment, or a polyline of more points"
     shape_name = "Line"
 
@@ -28,6 +29,7 @@ class SPLINEWRIGHT_OT_add_line(AddShape, bpy.types.Operator):
 class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_bezier_curve"
     bl_label = "Add Bezier Curve"
+    button = "Bezier Curve"
     bl_description = "Add one Bezier segment of any degree"
     shape_name = "Bezier Curve"
 
@@ -65,6 +67,7 @@ class _AddChain(AddShape):
 class SPLINEWRIGHT_OT_add_bezier_chain(_AddChain, bpy.types.Operator):
     bl_idname = "splinewright.add_bezier_chain"
     bl_label = "Add Bezier Chain"
+    button = "Bezier Chain"
     bl_description = "Add a smooth chain of cubics, each point with two handles, as in Blender"
     shape_name = "Bezier Chain"
     chain = staticmethod(starters.bezier_chain)
@@ -73,6 +76,7 @@ class SPLINEWRIGHT_OT_add_bezier_chain(_AddChain, bpy.types.Operator):
 class SPLINEWRIGHT_OT_add_hermite_curve(_AddChain, bpy.types.Operator):
     bl_idname = "splinewright.add_hermite_curve"
     bl_label = "Add Hermite Chain"
+    button = "Hermite Chain"
     bl_description = "Add a chain of cubics through points with given tangents"
     shape_name = "Hermite Chain"
     chain = staticmethod(starters.hermite_chain)
@@ -81,6 +85,7 @@ class SPLINEWRIGHT_OT_add_hermite_curve(_AddChain, bpy.types.Operator):
 class SPLINEWRIGHT_OT_add_nurbs_curve(AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_nurbs_curve"
     bl_label = "Add NURBS Curve"
+    button = "NURBS Curve"
     bl_description = "Add a NURBS curve of any degree on clamped, unclamped or periodic knots"
     shape_name = "NURBS Curve"
 

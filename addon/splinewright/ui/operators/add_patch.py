@@ -18,6 +18,7 @@ def draw_pairs(operator, layout, *names):
 class SPLINEWRIGHT_OT_add_bezier_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_bezier_patch"
     bl_label = "Add Bezier Patch"
+    button = "Bezier Patch"
     bl_description = "Add one Bezier patch of any degrees"
     shape_name = "Bezier Patch"
 
@@ -37,6 +38,7 @@ class SPLINEWRIGHT_OT_add_bezier_patch(new_shapes.Faces, AddShape, bpy.types.Ope
 class SPLINEWRIGHT_OT_add_hermite_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_hermite_patch"
     bl_label = "Add Hermite Patch"
+    button = "Hermite Patch"
     bl_description = "Add a bicubic Ferguson patch: corners, tangents, and twists of zero"
     shape_name = "Hermite Patch"
 
@@ -56,6 +58,7 @@ class SPLINEWRIGHT_OT_add_hermite_patch(new_shapes.Faces, AddShape, bpy.types.Op
 class SPLINEWRIGHT_OT_add_nurbs_patch(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_nurbs_patch"
     bl_label = "Add NURBS Patch"
+    button = "NURBS Patch"
     bl_description = "Add a NURBS patch: a sheet, a tube where one direction is periodic, a torus where both are"
     shape_name = "NURBS Patch"
 
@@ -82,6 +85,7 @@ class SPLINEWRIGHT_OT_add_nurbs_patch(new_shapes.Faces, AddShape, bpy.types.Oper
 class SPLINEWRIGHT_OT_add_teapot(new_shapes.Faces, AddShape, bpy.types.Operator):
     bl_idname = "splinewright.add_teapot"
     bl_label = "Add Newell's Teapot"
+    button = "Newell's Teapot"
     bl_description = "Add the Utah teapot: 32 Bezier patches on one pool of points"
     shape_name = "Teapot"
 

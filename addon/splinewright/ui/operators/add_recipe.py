@@ -47,12 +47,6 @@ def _spread(points, count):
     return starters.runge(count) * abs(points).max()
 
 
-def _label(recipe):
-    """Those from formulas do not say what they are."""
-    noun = "Surface " if recipe.is_surface else "Curve "
-    return f"Add {noun if recipe.label.startswith('From ') else ''}{recipe.label}"
-
-
 def _class_for(recipe):
     annotations = {parameter.name: recipe_props.property_of(parameter, **scene_tolerance.options(parameter)) for parameter in recipe.parameters}
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
@@ -63,7 +57,7 @@ def _class_for(recipe):
     name = f"SPLINEWRIGHT_OT_add_{recipe.kind}"
     faces = (new_shapes.Faces,) if recipe.is_surface else ()
     return type(name, (*faces, _AddRecipe, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe),
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': f"Add {recipe.label}", 'button': recipe.label,
         'bl_description': recipe.description, 'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 

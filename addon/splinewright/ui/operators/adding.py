@@ -14,7 +14,7 @@ from . import new_shapes, reports
 def can_add(cls, context):
     """poll() of operators that add shapes."""
     if context.mode != 'OBJECT':
-        cls.poll_message_set("Leave Edit Mode first: a shape is an object of its own")
+        cls.poll_message_set("Leave Edit Mode first: a shape is a separate object")
         return False
     try:
         require_place(context)

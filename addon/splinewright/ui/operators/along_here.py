@@ -24,7 +24,7 @@ class _Changes(Sideways):
         if not nets:
             cls.poll_message_set("Edit the net of a Splinewright curve first")
         elif not any(map(_can_change, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return any(map(_can_change, nets))
 
     def nets(self, context):
@@ -81,8 +81,7 @@ class _Changes(Sideways):
 class SPLINEWRIGHT_OT_radius_here(_Changes, bpy.types.Operator):
     bl_idname = "splinewright.radius_here"
     bl_label = "Change Radius"
-    bl_description = ("Multiply the radius of the selected control points by moving the mouse sideways, or type a number: a bevel "
-                      "is as thick there")
+    bl_description = "Multiply the radius of the selected control points by mouse or number, for example for a bevel"
 
     factor: FloatProperty(name="Factor", description="What radii are multiplied by", default=1.0, min=0.0, precision=4, step=10,
                           options={'SKIP_SAVE'})
@@ -112,10 +111,9 @@ class SPLINEWRIGHT_OT_radius_here(_Changes, bpy.types.Operator):
 class SPLINEWRIGHT_OT_tilt_here(_Changes, bpy.types.Operator):
     bl_idname = "splinewright.tilt_here"
     bl_label = "Change Tilt"
-    bl_description = ("Turn the profile at the selected control points by moving the mouse sideways, or type degrees: a bevel or "
-                      "ribbon is twisted there")
+    bl_description = "Twist the profile at the selected control points by mouse or degrees, for example of a bevel"
 
-    angle: FloatProperty(name="Angle", description="What is added to the tilts", default=0.0, subtype='ANGLE', step=100,
+    angle: FloatProperty(name="Angle", description="Angle added to the tilts", default=0.0, subtype='ANGLE', step=100,
                          options={'SKIP_SAVE'})
 
     means = "turn back, turn on", "degrees"

@@ -7,7 +7,7 @@ from ...bridge.file_state import state
 from ...core.failures import FAILURES
 from .. import hand, picking
 from . import patch_join, polls, reports
-from .pointing import Pointing, given, redraw
+from .pointing import Pointing, given, redraw, take_again
 
 
 class _PicksSides(Pointing):
@@ -67,13 +67,16 @@ def patches_of(obs):
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.join_here"
     bl_label = "Join Patches by Click"
-    bl_description = ("Click an edge of a patch, and then the edge that is to go on from it: of another patch of the shape, or of "
-                      "the other one of two selected shapes")
-    hint = "Click an edge of a patch, then the one that is to go on from it   |   Esc, Right Mouse: Cancel"
+    bl_description = "Click an edge of a patch, then the edge to join with it, of the same or the other shape"
     count = 2
 
     continuity: patch_join.continuity_property(options={'SKIP_SAVE'})
     moves: patch_join.moves_property(options={'SKIP_SAVE'})
+
+    @property
+    def hint(self):
+        which = "the edge to join it to" if self._picked else "the first of two edges"
+        return f"Click {which}   |   Esc, Right Mouse: Cancel"
 
     @classmethod
     def poll(cls, context):
@@ -96,7 +99,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.extract_side_here"
     bl_label = "Extract Edge by Click"
-    bl_description = "Click an edge of a patch to extract it as a curve, a shape of its own, exact"
+    bl_description = "Click an edge of a patch to extract it as an exact curve, in a new shape"
     hint = "Click an edge of a patch   |   Esc, Right Mouse: Cancel"
 
     @classmethod
@@ -111,7 +114,10 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
 
     def done(self, context, picked):
         (ob, number, side), = picked
-        return reports.called(self, bpy.ops.splinewright.extract_boundary, only=ob.name, piece=number, side=side.upper())
+        ended = reports.called(self, bpy.ops.splinewright.extract_boundary, only=ob.name, piece=number, side=side.upper())
+        if self.at_once:
+            take_again(context, ob)
+        return ended
 
 
 CLASSES = (SPLINEWRIGHT_OT_join_here, SPLINEWRIGHT_OT_extract_side_here)

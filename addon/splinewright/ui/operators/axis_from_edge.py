@@ -14,11 +14,10 @@ from .pointing import Pointing, redraw
 
 class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.axis_from_edge"
-    bl_label = "Take Axis From Edge"
-    bl_description = ("Click an edge of a mesh in the 3D view: the active surface of revolution turns about it, and follows an "
-                      "empty that is put there")
+    bl_label = "Pick Axis from Edge"
+    bl_description = "Click a mesh edge: the active surface of revolution turns about it, and follows an empty there"
     bl_options = {'REGISTER', 'UNDO'}
-    hint = "Click an edge of a mesh to turn about it   |   Esc, Right Mouse: Cancel"
+    hint = "Click an edge of a mesh as the axis   |   Esc, Right Mouse: Cancel"
 
     start: FloatVectorProperty(name="Start", description="Where the edge begins, in the world", subtype='TRANSLATION',
                                options={'SKIP_SAVE'})

@@ -13,15 +13,15 @@ from .selected import OnSelected
 class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
     bl_idname = "splinewright.bake_animation"
     bl_label = "Bake Animation"
-    bl_description = ("Bake the motion of the selected shapes to shape keys, one for each frame: they then move without "
-                      "Splinewright, as on a render farm. Make Live Again takes it back")
+    bl_description = ("Bake the motion of the selected shapes to shape keys, so that they move without Splinewright; Remove "
+                      "Bake reverts it")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     frame_start: IntProperty(name="First Frame", description="Where it begins; of the scene if it is not given",
                              options={'SKIP_SAVE'})
     frame_end: IntProperty(name="Last Frame", description="Where it ends; of the scene if it is not given",
                            options={'SKIP_SAVE'})
-    frame_step: IntProperty(name="Step", description="A key for each so many frames, straight between them", default=1,
+    frame_step: IntProperty(name="Step", description="Frames between keys, with linear interpolation", default=1,
                             min=1)
 
     @classmethod
@@ -126,7 +126,7 @@ def _gone_through(steps, step):
 
 class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.unbake"
-    bl_label = "Make Live Again"
+    bl_label = "Remove Bake"
     bl_description = "Restore the shapes that were baked: they follow again, and can be edited"
     needs = "Select a shape that was baked"
     done = "{} is live again"

@@ -14,8 +14,8 @@ from .selected import OnSelected
 class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.cap"
     bl_label = "Cap Holes"
-    bl_description = ("Close open ends of surfaces by patches that share their points; the normals of what is closed then point "
-                      "outwards. What follows its curves gets Caps in its panel, and goes on following")
+    bl_description = ("Close open ends of surfaces with patches that share their points; normals of a closed body point "
+                      "outward")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a shape of patches", "Capped {}"
     fits = staticmethod(replacing.is_patch_shape)
@@ -41,7 +41,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
         recipe = recipes.of(data)
         choices = next((parameter.choices for parameter in recipe.parameters if parameter.name == 'caps'), ())
         if not choices:
-            raise Refusal("it follows other objects: use Make Editable first")
+            raise Refusal("it follows other objects: use Apply Construction first")
         if self.ends != 'ALL':
             raise Refusal("it follows its curves: which end is closed says Caps in its panel")
         wanted = 'both' if 'both' in (choice[0] for choice in choices) else 'flat'

@@ -16,8 +16,8 @@ _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the fir
 class SPLINEWRIGHT_OT_contour_through_points(CurvesFromPoints, bpy.types.Operator):
     bl_idname = "splinewright.contour_through_points"
     bl_label = "Add Contour Through Points"
-    bl_description = ("Add a contour of segments through the selected vertices of a mesh in Edit Mode, along its edges or in the "
-                      "order in which they were selected, or through each stroke; its corners are sharp, round or cut off")
+    button = "Contour Through Points"
+    bl_description = "Add a contour of segments through selected vertices or strokes, with sharp, round or chamfered corners"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe, shape_name = _CONTOUR, "Contour"
     __annotations__ = {

@@ -11,7 +11,7 @@ from . import pieces, polls, reports
 from .on_shapes import OnCurves
 from .pick_piece import draw_number
 
-_SIDES = (('AUTO', "Longer", "What is longer from where they meet"), ('start', "Start", "The part at its start"),
+_SIDES = (('AUTO', "Longer", "The longer part from where they meet"), ('start', "Start", "The part at its start"),
           ('end', "End", "The part at its end"))
 #: How large a corner is where nothing is known; of the size of a curve how large it is at first.
 _DEFAULT, _SHARE = 0.1, 0.05
@@ -24,7 +24,7 @@ def length_property(name, what, least=1e-6, **settings):
 
 
 def joined_property(**settings):
-    return BoolProperty(name="Join", description="Make one curve of both and what is between them", default=True, **settings)
+    return BoolProperty(name="Join", description="Make one curve of both and the corner between them", default=True, **settings)
 
 
 class _Corners(pieces.FromActive, OnCurves):
@@ -49,7 +49,7 @@ def first_length(curve):
 class SPLINEWRIGHT_OT_fillet_corners(_Corners, bpy.types.Operator):
     bl_idname = "splinewright.fillet_corners"
     bl_label = "Fillet Corners"
-    bl_description = "Put an arc of a circle in place of each corner of a curve; it goes on smoothly there"
+    bl_description = "Replace each corner of a curve by a tangent arc of a circle"
     done = "Filleted corners of {}"
 
     size: length_property("Radius", "Of the arcs")
@@ -153,8 +153,7 @@ class _Between:
 class SPLINEWRIGHT_OT_fillet_curves(_Between, bpy.types.Operator):
     bl_idname = "splinewright.fillet_curves"
     bl_label = "Fillet Two Curves"
-    bl_description = ("Put an arc of a circle between two curves of one plane, and shorten them to it, or go on straight up to it: "
-                      "two pieces of the active shape, or one of each of two selected shapes")
+    bl_description = "Fillet two curves of one plane with an arc, and trim or extend them to it"
     done = "Filleted curves of {}"
     sizes = ('radius',)
 
@@ -167,8 +166,7 @@ class SPLINEWRIGHT_OT_fillet_curves(_Between, bpy.types.Operator):
 class SPLINEWRIGHT_OT_chamfer_curves(_Between, bpy.types.Operator):
     bl_idname = "splinewright.chamfer_curves"
     bl_label = "Chamfer Two Curves"
-    bl_description = ("Put a segment between two curves, at two lengths from where they meet, or would straight on: two pieces of "
-                      "the active shape, or one of each of two selected shapes")
+    bl_description = "Chamfer two curves with a segment, by two lengths from where they or their tangents meet"
     done = "Chamfered curves of {}"
     sizes = ('first_length', 'second_length')
 

@@ -1,5 +1,7 @@
 """By clicks on curves: one is trimmed or goes on, two get an arc or a segment between them. Where is shown at the mouse."""
 
+from functools import partial
+
 import bpy
 
 from ...bridge import beside, replacing, surveys
@@ -10,6 +12,13 @@ from .. import aim_overlay, hand, picking
 from . import curve_corners, curve_meeting, polls, reports
 from .insert_here import ByClick
 from .pointing import Pointing, given, redraw
+
+
+def once(known, key, find):
+    """What find() gives, which is called for each key once."""
+    if key not in known:
+        known[key] = find()
+    return known[key]
 
 
 class _OnCurve(ByClick):
@@ -35,31 +44,32 @@ class _OnCurve(ByClick):
         self._known = {}
         return super().invoke(context, event)
 
+    def told(self, context, aimed):
+        return self.with_line(context, aimed, self.meet, self._known)
+
     @classmethod
     def meant(cls, context):
         return list(filter(replacing.is_curve_shape, super().meant(context)))
 
-    def once(self, key, find):
-        """What find() gives, which is called for each key once."""
-        if key not in self._known:
-            self._known[key] = find()
-        return self._known[key]
-
-    def told(self, context, aimed):
-        """What a click would do is found once for each piece and end."""
+    @classmethod
+    def with_line(cls, context, aimed, meet, known):
+        """An Aim with what a click would do. known: {}, which keeps what is found once for each piece and end."""
         if len(aimed.parameters) != 1:
             return aimed
         ob = bpy.data.objects[aimed.name]
+        obs = context.selected_objects if meet == 'SELECTED' else context.visible_objects
         try:
-            curves = self.once(ob.name, lambda: [*surveys.pieces_of(ob.data), *beside.curves_of(
-                ob, context.visible_objects, context.evaluated_depsgraph_get())])
-            line = self.line_of(curves, aimed)
+            curves = once(known, (ob.name, meet), lambda: [*surveys.pieces_of(ob.data), *beside.curves_of(
+                ob, obs, context.evaluated_depsgraph_get())])
+            line = cls.line_of(curves, aimed, partial(once, known))
         except FAILURES:
             line = None
         return aimed._replace(line=line)
 
-    def line_of(self, curves, aimed):
-        """(n, 3) of what a click would take or add, or None. curves: the pieces, and all that they may meet."""
+    @staticmethod
+    def line_of(curves, aimed, once):
+        """(n, 3) of what a click would take or add, or None. curves: the pieces, and all that they may meet; once(key, find)
+        calls find() for each key once."""
         raise NotImplementedError
 
     def clicked(self, aimed):
@@ -74,23 +84,24 @@ class _OnCurve(ByClick):
 class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.trim_here"
     bl_label = "Trim by Click"
-    bl_description = "Click the part of a curve that is to go: up to where it meets other curves, of which all that are shown count"
+    bl_description = "Click the part of a curve to remove, up to where it meets other visible curves"
     thing, does = "Part", "trim"
 
     def operator(self, parameter, domain):
         return bpy.ops.splinewright.trim_curve, {'parameter': decimals.single(parameter), 'exact': repr(float(parameter)),
                                                 'meet': self.meet}
 
-    def line_of(self, curves, aimed):
+    @staticmethod
+    def line_of(curves, aimed, once):
         curve = curves[aimed.number - 1]
-        parts = self.once((aimed.name, aimed.number), lambda: meeting.parts_where_met(curve, curves))
+        parts = once((aimed.name, aimed.number), lambda: meeting.parts_where_met(curve, curves))
         return meeting.part_about(parts, curve, aimed.parameters[0])
 
 
 class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.extend_here"
     bl_label = "Extend by Click"
-    bl_description = "Click a curve near the end that is to go on to where it meets another curve, of which all that are shown count"
+    bl_description = "Click a curve near an end to extend it to where it meets another visible curve"
     thing, does = "End nearest", "extend"
 
     how: curve_meeting.how_property(options={'SKIP_SAVE'})
@@ -99,10 +110,11 @@ class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
         return bpy.ops.splinewright.extend_curve, {'to': 'CURVES', 'ends': _end(parameter, domain).upper(), 'how': self.how,
                                                    'meet': self.meet}
 
-    def line_of(self, curves, aimed):
+    @staticmethod
+    def line_of(curves, aimed, once):
         curve = curves[aimed.number - 1]
         end = _end(aimed.parameters[0], curve.domain)
-        return self.once((aimed.name, aimed.number, end), lambda: meeting.extension(curve, curves, end))
+        return once((aimed.name, aimed.number, end), lambda: meeting.extension(curve, curves, end))
 
 
 def _end(parameter, domain):
@@ -127,6 +139,11 @@ class _PicksCurves(Pointing):
         """What is done with the two."""
         raise NotImplementedError
 
+    @property
+    def hint(self):
+        which = "the second curve" if self._picked else "the first of two curves"
+        return f"Click {which} on the part to keep   |   Esc, Right Mouse: Cancel"
+
     def invoke(self, context, event):
         self._picked = []
         return self.begin(context, event)
@@ -140,7 +157,8 @@ class _PicksCurves(Pointing):
         except FAILURES:
             found = None                # such a shape shows nothing to point at
         self._found = found if found and not self._is_picked(found) else None
-        state.aimed = aim_overlay.Aim(self._found[0].name, *self._found[1:], 'U') if self._found else None
+        shown = self._found or next(iter(self._picked), None)
+        state.aimed = aim_overlay.Aim(shown[0].name, *shown[1:], 'U') if shown else None
         redraw()
         return self._found is not None
 
@@ -165,7 +183,6 @@ class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):
     bl_idname = "splinewright.fillet_here"
     bl_label = "Fillet by Click"
     bl_description = "Click two curves on the parts that stay: an arc of a circle goes between them"
-    hint = "Click two curves on the parts that stay   |   Esc, Right Mouse: Cancel"
     passed = ('radius',)
 
     radius: curve_corners.length_property("Radius", "Of the arc", options={'SKIP_SAVE'})
@@ -179,7 +196,6 @@ class SPLINEWRIGHT_OT_chamfer_here(_PicksCurves, bpy.types.Operator):
     bl_idname = "splinewright.chamfer_here"
     bl_label = "Chamfer by Click"
     bl_description = "Click two curves on the parts that stay: a segment goes between them"
-    hint = SPLINEWRIGHT_OT_fillet_here.hint
     passed = ('first_length', 'second_length')
 
     first_length: curve_corners.length_property("First Length", "Along the first curve", 0.0, options={'SKIP_SAVE'})

@@ -18,8 +18,7 @@ _WORDS = {'C0': "They share the point", 'G1': "They share the direction, too",
 class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
     bl_idname = "splinewright.join_ends"
     bl_label = "Join Ends"
-    bl_description = ("Make two curves one where their nearest ends meet, and report how far they moved: "
-                      "two pieces of the active shape, or one of each of two selected shapes")
+    bl_description = "Join two curves at their nearest ends: pieces of the active shape, or of two selected shapes"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What the curves share where they meet",
@@ -64,8 +63,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_idname = "splinewright.join_pieces"
     bl_label = "Join Pieces"
-    bl_description = ("Make pieces of a curve shape one curve wherever their ends meet; knots that are not needed go. "
-                      "The way back from Convert to Bezier")
+    bl_description = "Join pieces of a curve shape where their ends meet, and remove unnecessary knots"
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
     fits = staticmethod(replacing.is_curve_shape)
@@ -87,8 +85,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
 class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
     bl_idname = "splinewright.join_curves"
     bl_label = "Join Curves"
-    bl_description = ("Make the selected curve shapes one shape, in the place of the active one, and one curve wherever their ends "
-                      "meet; curves are turned round where they must be")
+    bl_description = "Join the selected curve shapes into the active one, and their curves where ends meet"
     bl_options = {'REGISTER', 'UNDO'}
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curves may move")

@@ -22,16 +22,16 @@ _MORE = {'closed': {'options': {'SKIP_SAVE'}, 'description': "Go back to the fir
 class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator):
     bl_idname = "splinewright.curve_through_points"
     bl_label = "Add Curve Through Points"
-    bl_description = ("Add a spline through the selected vertices of a mesh in Edit Mode, along its edges or in the order in "
-                      "which they were selected; through each stroke of selected Grease Pencil objects, or of annotations where "
-                      "nothing is selected; or through the selected objects in the order of their names, which it follows")
+    button = "Curve Through Points"
+    bl_description = ("Add a spline through selected vertices, strokes of Grease Pencil or annotations, or through selected "
+                      "objects, which it follows")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe, shape_name = _SPLINE, "Curve Through Points"
     __annotations__ = {
         **{parameter.name: recipe_props.property_of(parameter, **_MORE.get(parameter.name, {}))
            for parameter in _SPLINE.parameters},
         'live': BoolProperty(name="Follow Objects", default=True,
-                             description="Let the curve go on through the objects when they move"),
+                             description="Let the curve follow the objects when they move"),
         'resolution_u': resolution_property(default=_SPLINE.resolution)}
 
     @classmethod

@@ -19,12 +19,11 @@ _MOST_OBJECTS = 10_000
 class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.divide_equally"
     bl_label = "Divide Equally"
-    bl_description = ("Divide the active curve into parts of equal length: points at their ends, or objects that stand there, "
-                      "turned with the curve")
+    bl_description = "Divide the active curve into parts of equal length, with points or copies of an object at their ends"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     by: EnumProperty(name="By", items=(
-        ('COUNT', "Parts", "Into so many parts"), ('LENGTH', "Length", "Into parts of one length, from the start on")))
+        ('COUNT', "Parts", "Into a given number of parts"), ('LENGTH', "Length", "Into parts of one length, from the start on")))
     count: IntProperty(name="Parts", description="How many equal parts each curve gets", default=10, min=1, soft_max=200,
                        max=1_000_000)
     length: FloatProperty(name="Length", description="Of a part, in the scene", default=1.0, min=1e-9, unit='LENGTH')
@@ -32,7 +31,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
     make: EnumProperty(name="Make", items=(
         ('POINTS', "Points", "A mesh of points"), ('EMPTIES', "Empties", "Arrows that show where things would stand"),
         ('COPIES', "Copies", "Copies of an object that share its data")))
-    source: StringProperty(name="Object", description="What is copied", options={'SKIP_SAVE'})
+    source: StringProperty(name="Object", description="Object to copy", options={'SKIP_SAVE'})
     turned: EnumProperty(name="Turned", items=(
         ('standing', "Standing", "Upright in the world, as posts stand, turned to where the curve goes"),
         ('upright', "Upright", "Along the curve, also where it climbs, upper side up"),
@@ -40,7 +39,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         ('frenet', "To the Bend", "Upper side to where the curve bends: Frenet's frames"),
         ('not', "Not", "As the object is turned, or the world")))
     along: EnumProperty(name="Ahead", items=(
-        ('X', "X", "The object's x axis goes along the curve"), ('Y', "Y", "Its y axis"), ('Z', "Z", "Its z axis")))
+        ('X', "X", "The object's x axis follows the curve"), ('Y', "Y", "Its y axis"), ('Z', "Z", "Its z axis")))
 
     @classmethod
     def poll(cls, context):
@@ -101,7 +100,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
     def _require_few(self, count):
         """Raises Refusal where so many objects are too many."""
         if self.make != 'POINTS' and count > _MOST_OBJECTS:
-            raise Refusal(f"so many objects are too many: {_MOST_OBJECTS} are allowed")
+            raise Refusal(f"that makes too many objects: at most {_MOST_OBJECTS} are allowed")
 
     def _source(self):
         """The object that is copied, or None. Raises Refusal, also where more objects than are allowed are certain."""

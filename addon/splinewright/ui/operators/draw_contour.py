@@ -26,9 +26,7 @@ _MEETING = 12.0
 class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
     bl_idname = "splinewright.draw_contour"
     bl_label = "Draw Contour"
-    bl_description = ("Click points of a contour, one after the other, on the plane through the 3D cursor that faces the "
-                      "view: A changes between segments and arcs that go on smoothly, Ctrl holds to steps of 15°, numbers are "
-                      "lengths and after Tab angles, Enter ends it, a click on its first point closes it")
+    bl_description = "Click points of a contour: A switches to arcs, Ctrl snaps angles, numbers set lengths, Enter finishes"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     contour: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
@@ -195,7 +193,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         view = self._view or picking.view_at(event.mouse_x, event.mouse_y)
         state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
                           if view and words else None)
-        kind = "arc, on from what is before" if self._kind == contours.ARC else "segment"
+        kind = "tangent arc" if self._kind == contours.ARC else "segment"
         keys = [f"Click: {kind}", "A: segment, arc",
                 f"S: marks of curves {'off' if self._marks.are_on else 'on'}"]
         if self._drawn.points:

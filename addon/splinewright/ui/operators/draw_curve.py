@@ -146,15 +146,13 @@ class _Pen:
 class SPLINEWRIGHT_OT_draw_curve(_Pen, bpy.types.Operator):
     bl_idname = "splinewright.draw_curve"
     bl_label = "Draw Curve"
-    bl_description = ("Draw a stroke in the view with the left mouse button, which becomes a clean curve within a tolerance; "
-                      "a stroke that comes back to its start is closed")
+    bl_description = "Draw a stroke in the view that becomes a clean curve within a tolerance, closed if its ends meet"
 
 
 class SPLINEWRIGHT_OT_draw_on_surface(_Pen, bpy.types.Operator):
     bl_idname = "splinewright.draw_on_surface"
     bl_label = "Draw Curve on Surface"
-    bl_description = ("Draw a stroke on what is under the mouse with the left mouse button, which becomes a clean curve within a "
-                      "tolerance; a stroke that comes back to its start is closed")
+    bl_description = "Draw a stroke on the surface under the mouse that becomes a clean curve within a tolerance"
     begins_on_surface = True
 
 

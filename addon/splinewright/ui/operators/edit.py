@@ -11,7 +11,7 @@ from . import polls, reports
 
 class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     bl_idname = "splinewright.edit_net"
-    bl_label = "Edit Net"
+    bl_label = "Edit Control Points"
     bl_description = "Edit the control net of the active shape, and of selected ones of its kind, in Edit Mode"
     bl_options = {'REGISTER', 'UNDO'}
 
@@ -49,7 +49,7 @@ class _OnNets:
 
 class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
     bl_idname = "splinewright.leave_net"
-    bl_label = "Leave Net"
+    bl_label = "Finish Editing"
     bl_description = "Close the control net; the shape keeps every digit"
 
     def invoke(self, context, event):
@@ -57,7 +57,7 @@ class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
         self._lost = editing.unread(editing.nets_in_edit_mode(context))
         if not self._lost:
             return self.execute(context)
-        return context.window_manager.invoke_props_dialog(self, width=460, **_names("Leave Net", "Leave"))
+        return context.window_manager.invoke_props_dialog(self, width=460, **_names("Finish Editing", "Leave"))
 
     def draw(self, context):
         texts.draw_problem(self.layout, f"The net cannot be read: {self._lost}", width=70)
@@ -81,7 +81,7 @@ def _names(title, button):
 
 class SPLINEWRIGHT_OT_renew_net(_OnNets, bpy.types.Operator):
     bl_idname = "splinewright.renew_net"
-    bl_label = "Renew Net"
+    bl_label = "Reload Control Points"
     bl_description = "Rebuild the net from the shape as it is: points that were lost come back, others go"
 
     def execute(self, context):

@@ -9,7 +9,7 @@ from . import polls, reports
 class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
     bl_idname = "splinewright.edit_linked"
     bl_label = "Edit Linked Shape"
-    bl_description = "Say from which file the active shape is linked, and offer to make it local: then its net can be edited"
+    bl_description = "Show from which file the active shape is linked, and offer to make it local for editing"
     bl_options = {'REGISTER'}
 
     @classmethod

@@ -21,7 +21,7 @@ def _shape_without_net(ob):
 
 class SPLINEWRIGHT_OT_edit_source(bpy.types.Operator):
     bl_idname = "splinewright.edit_source"
-    bl_label = "Edit What It Follows"
+    bl_label = "Edit Source Object"
     bl_description = "Edit the object that the active shape is made from: its net, or Blender's own points"
     bl_options = {'REGISTER', 'UNDO'}
 
@@ -87,7 +87,7 @@ def _chosen(context, name):
     """Raises Refusal where it is not there, or there are several."""
     sources = [ob for ob in _sources(context.object) if not name or ob.name == name]
     if not _sources(context.object):
-        raise Refusal("it is made by its numbers: change them in the panel, or use Make Editable first")
+        raise Refusal("it is made by its numbers: change them in the panel, or use Apply Construction first")
     if len(sources) != 1:
         raise Refusal("choose one of the objects it is made from" if sources else f"it is not made from {name}")
     return sources[0]
@@ -126,7 +126,7 @@ def _select(context, *obs):
 
 class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
     bl_idname = "splinewright.leave_result"
-    bl_label = "Leave the Result"
+    bl_label = "Leave Generated Mesh"
     bl_description = "Leave Edit Mode of the mesh or curve that Splinewright wrote, which is not the net"
     bl_options = {'REGISTER', 'UNDO'}
 

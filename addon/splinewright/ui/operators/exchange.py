@@ -39,7 +39,7 @@ def _text_of(path):
     try:
         return path.read_text(encoding='utf-8-sig')
     except UnicodeDecodeError as error:
-        raise Refusal("it is no text file") from error
+        raise Refusal("it is not a text file") from error
 
 
 def _start_of(path):

@@ -51,7 +51,7 @@ class _Extract(Repeatable, OnPatches):
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):
     bl_idname = "splinewright.extract_isocurve"
     bl_label = "Extract Isocurve"
-    bl_description = "Add the curve on a patch along which u or v is constant: a shape of its own, exact"
+    bl_description = "Add the exact curve on a patch along which u or v is constant, as a new shape"
     done = "Extracted an isocurve of {}"
 
     direction: direction_property("The curve at one u", "The curve at one v", "Both curves through one point")
@@ -69,7 +69,7 @@ class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operato
 class SPLINEWRIGHT_OT_extract_boundary(_Extract, bpy.types.Operator):
     bl_idname = "splinewright.extract_boundary"
     bl_label = "Extract Boundary"
-    bl_description = "Add the sides of a patch as curves, a shape of its own, exact; a side that is a point is left out"
+    bl_description = "Add the sides of a patch as exact curves in a new shape, except sides that are points"
     done = "Extracted the boundary of {}"
 
     side: EnumProperty(name="Side", items=(

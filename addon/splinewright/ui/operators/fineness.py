@@ -19,9 +19,8 @@ class _OnPatches(OnSelected):
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.tolerance_from_render"
-    bl_label = "Set Tolerance From Render"
-    bl_description = ("Show the surface as finely as the scene's camera needs it: where it is nearest, the mesh lies within "
-                      "a fraction of a pixel")
+    bl_label = "Set Tolerance from Render"
+    bl_description = "Set the tolerance so that the mesh is exact to a fraction of a pixel in the scene's camera"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     pixels: FloatProperty(name="Pixels", description="How far the mesh may lie from the surface in the picture",
@@ -54,7 +53,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.set_patch_material"
     bl_label = "Set Patch Material"
-    bl_description = ("Assign the material of a slot to one patch of the shape, or to all; it stays when the faces change")
+    bl_description = "Assign the material of a slot to one patch or to all, also when the faces change"
     done = "Set the material of {}"
 
     piece: IntProperty(name="Patch", description="Which patch of the shape, counted from 1; 0 for all of them",

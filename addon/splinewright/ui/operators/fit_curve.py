@@ -17,9 +17,8 @@ _MORE = {'tolerance': {'description': "How far points may lie from the curve, in
 class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
     bl_idname = "splinewright.fit_curve"
     bl_label = "Fit Curve"
-    bl_description = ("Add a clean curve near many points, within a tolerance or with so many control points: along each stroke "
-                      "of the selected Grease Pencil objects, or of the annotations where none is selected, or along the "
-                      "selected vertices of a mesh in Edit Mode")
+    bl_description = ("Add a clean curve near strokes or selected vertices, within a tolerance or with a number of control "
+                      "points")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     recipe, shape_name, is_measured = _SPLINE, "Fitted Curve", True
     needs = "Draw with Grease Pencil or Annotate and come to Object Mode, or select vertices in the Edit Mode of a mesh"

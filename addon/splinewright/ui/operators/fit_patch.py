@@ -67,8 +67,8 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
 class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
     bl_idname = "splinewright.patch_through_grid"
     bl_label = "Add Patch Through Grid"
-    bl_description = ("Add a smooth NURBS patch through the corners of the selected faces, which lie in rows and columns; rows "
-                      "and columns may be closed")
+    button = "Patch Through Grid"
+    bl_description = "Add a smooth NURBS patch through the corners of the selected faces, which lie in rows and columns"
 
     parametrisation: EnumProperty(name="Parameters", default='centripetal', items=(
         ('uniform', "Uniform", "The same step between any two rows"),
@@ -99,10 +99,10 @@ class SPLINEWRIGHT_OT_patch_through_grid(PatchOfVertices, bpy.types.Operator):
 class SPLINEWRIGHT_OT_fit_patch(PatchOfVertices, bpy.types.Operator):
     bl_idname = "splinewright.fit_patch"
     bl_label = "Fit Patch"
-    bl_description = ("Add a clean NURBS patch near the selected vertices, as of a scan, in any order: with so many control "
-                      "points, or with few within a tolerance")
+    bl_description = ("Add a clean NURBS patch near the selected vertices, with a number of control points or within a "
+                      "tolerance")
 
-    by: EnumProperty(name="By", items=(('COUNT', "Points", "So many control points"),
+    by: EnumProperty(name="By", items=(('COUNT', "Points", "A given number of control points"),
                                        ('TOLERANCE', "Tolerance", "Few control points within a distance")))
     count_u: count_property("U", default=8)
     count_v: count_property("V", default=8)

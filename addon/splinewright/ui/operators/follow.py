@@ -13,12 +13,13 @@ from .selected import OnFollowers
 
 class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
     bl_idname = "splinewright.follow_object"
-    bl_label = "Follow Object"
-    bl_description = ("Add a shape that follows the active curve, surface or shape live; "
-                      "with a shape active and another object selected, make that shape follow the other")
+    bl_label = "Add Live Copy"
+    button = "Live Copy"
+    bl_description = ("Add a live copy of the active curve, surface or shape, or make the active shape follow the other "
+                      "object")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    source: StringProperty(name="Object", description="Name of the object to follow; empty: what is selected",
+    source: StringProperty(name="Object", description="Name of the object to follow; empty: the selected one",
                            options={'SKIP_SAVE'})
     #: Whether a shape was added, to which the redo panel then may give another object to follow.
     is_added: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
@@ -77,7 +78,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_set_moving(OnFollowers, bpy.types.Operator):
     bl_idname = "splinewright.set_moving"
-    bl_label = "Set How It Moves"
+    bl_label = "Set Motion"
     bl_description = "What happens when a shape that is made from other objects is moved, rotated or scaled"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     done = "Set how {} moves"

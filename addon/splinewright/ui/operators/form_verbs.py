@@ -26,13 +26,13 @@ class _Fitted(pieces.LongOnPieces, OnShapes):
 class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
     bl_idname = "splinewright.rebuild"
     bl_label = "Rebuild"
-    bl_description = "Replace the shape by the nearest one with so many points on even knots, and report the distance"
+    bl_description = "Replace the shape by the nearest one with a given number of points on even knots, and report the distance"
     done, already = "Rebuilt {}", "its points and knots are these already"
     expanded = ('by',)
     of_curves, of_patches = ('by', 'tolerance', 'keep_tangents'), ('count_v', 'degree_v')
 
     by: EnumProperty(name="By", items=(
-        ('COUNT', "Points", "With so many control points"),
+        ('COUNT', "Points", "With a given number of control points"),
         ('TOLERANCE', "Tolerance", "Curves, with as few control points as lie within the tolerance")))
     count_u: IntProperty(name="Points U", description="How many control points along u; degree + 1 make one span", default=10,
                          min=2, soft_max=200)

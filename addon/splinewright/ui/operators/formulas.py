@@ -17,8 +17,8 @@ _OWNER = "splinewright_formulas_of"
 class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
     bl_idname = "splinewright.write_formulas"
     bl_label = "Write Formulas as Text"
-    bl_description = ("Write the points, the power basis, the conic's equation, and the triangles of basis functions "
-                      "and of de Casteljau at a point into a text of the Text Editor")
+    bl_description = ("Write points, power basis, conic equation, and the triangles of basis functions and de Casteljau to a "
+                      "text")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1", default=1, min=1,

@@ -1,4 +1,4 @@
-"""An operator for each recipe that makes a shape from selected objects, made from the table; Follow Object is its own."""
+"""An operator for each recipe that makes a shape from selected objects, made from the table; Add Live Copy is its own."""
 
 from contextlib import suppress
 
@@ -38,7 +38,7 @@ class _FromObjects(LongWork, Repeatable):
         reason = cls._lacking(sources_of(context, cls.recipe))
         if reason:
             is_text = "curve" in reason and any(ob.type == 'FONT' for ob in context.selected_objects)
-            cls.poll_message_set(f"{reason}: Make Exact turns a text into curves" if is_text else reason)
+            cls.poll_message_set(f"{reason}: Convert to Splinewright turns a text into curves" if is_text else reason)
         return not reason
 
     @classmethod
@@ -160,8 +160,7 @@ def sources_of(context, recipe):
 
 def is_wanted(ob, what):
     """Whether an object from which its shape can be made is what a recipe names: a curve, a surface, a point, or any."""
-    kind = {'CURVE': "curve", 'EMPTY': "point"}.get(ob.type, "surface")
-    return kind in what or not any(word in what for word in ("curve", "surface", "point"))
+    return what.accepts({'CURVE': 'curve', 'EMPTY': 'point'}.get(ob.type, 'surface'))
 
 
 def lacking(context, recipe):
@@ -205,14 +204,14 @@ def _class_for(recipe):
                    for parameter in recipe.parameters}
     if recipe.frame:
         annotations['frame'] = StringProperty(name=recipe.frame, options={'SKIP_SAVE'}, description=(
-            "Object whose place and axes count in place of the profile's own: at first what is selected beside the profile"))
+            "Object that gives the axes in place of the profile; at first the one selected with the profile"))
     if recipe.is_surface:
         annotations['hide_inputs'] = BoolProperty(name="Hide Inputs", default=recipe.covers_inputs, options={'SKIP_SAVE'}, description=(
-            "Hide what it is made from, as H does: Show Inputs in its panel brings that back, and the shape goes on following"))
+            "Hide the inputs, as H does; Show Inputs in the panel brings them back"))
     annotations['resolution_u'] = resolution_property(default=recipe.resolution)
     faces = (new_shapes.Faces,) if recipe.is_surface else ()
     return type(f"SPLINEWRIGHT_OT_add_{recipe.kind}", (*faces, _FromObjects, bpy.types.Operator), {
-        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'bl_description': recipe.description,
+        'bl_idname': f"splinewright.add_{recipe.kind}", 'bl_label': _label(recipe), 'button': recipe.label, 'bl_description': recipe.description,
         'recipe': recipe, '__annotations__': annotations, '__module__': __name__})
 
 

@@ -108,7 +108,7 @@ class CurvesFromPoints(LongWork, Repeatable):
     def new_object(self, name, values, points, number=0, told=shape.no_progress):
         """number: of the task that makes it; told: as `progress` of shape.new_data()."""
         if len(points) < 2:
-            raise Refusal("one point is no curve: select more")
+            raise Refusal("a curve needs two points: select more")
         points = np.array(points, dtype=np.float64)
         result = self.result_of(number, self.recipe.work(points, values))
         data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result, told)

@@ -44,9 +44,8 @@ class _OnJoint(OnWhatHolds):
 
 class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
     bl_idname = "splinewright.hold_joint"
-    bl_label = "Hold Joint"
-    bl_description = ("Make curves continue each other smoothly at a joint, or one curve at a knot, and keep that while "
-                      "either side is edited, until it is released")
+    bl_label = "Lock Joint Continuity"
+    bl_description = "Make curves continue each other smoothly at a joint, and keep that while either side is edited"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: EnumProperty(name="Continuity", description="What both sides share there", default='G1',
@@ -79,7 +78,7 @@ class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_release_joint(_OnJoint, bpy.types.Operator):
     bl_idname = "splinewright.release_joint"
-    bl_label = "Release Joint"
+    bl_label = "Unlock Joint Continuity"
     bl_description = "Let both sides of a joint be edited independently again"
     bl_options = {'REGISTER', 'UNDO'}
 

@@ -7,12 +7,12 @@ from ...bridge import held, joining, replacing, store
 from ...core import patch_joints
 from ...core.failures import FAILURES, Refusal
 from ...core.held import Held, are_one
-from ...core.patch_curves import SIDES
+from ...core.patch_curves import SIDE_CHOICES
 from .. import editing, hand
 from . import reports
 from .patch_join import came_apart, continuity_property, moves_property, told
 
-_SIDES = [(name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items()]
+_SIDES = list(SIDE_CHOICES)
 
 
 def number_property(what, of):
@@ -68,9 +68,8 @@ def released(data, sides, of):
 
 class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.hold_seam"
-    bl_label = "Hold Seam"
-    bl_description = ("Make two patches continue each other smoothly across their common edge, and keep that while either is "
-                      "edited, until it is released")
+    bl_label = "Lock Seam Continuity"
+    bl_description = "Make two patches continue each other smoothly across their common edge, and keep that during editing"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: continuity_property()
@@ -94,7 +93,7 @@ class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):
     bl_idname = "splinewright.release_seam"
-    bl_label = "Release Seam"
+    bl_label = "Unlock Seam Continuity"
     bl_description = "Let both sides of a seam be edited independently again"
     bl_options = {'REGISTER', 'UNDO'}
 

@@ -69,7 +69,7 @@ def _name(ob):
 
 class SPLINEWRIGHT_OT_point_to_infinity(_OnSelectedPoints, bpy.types.Operator):
     bl_idname = "splinewright.point_to_infinity"
-    bl_label = "Send to Infinity"
+    bl_label = "Move to Infinity"
     bl_description = "Make the selected points directions: control points at infinity, of weight 0, shown as arrows"
     changed = staticmethod(infinity.sent)
 

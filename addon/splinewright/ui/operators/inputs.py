@@ -55,7 +55,7 @@ class _OnInputs:
 
 class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.move_input"
-    bl_label = "Move in Order"
+    bl_label = "Move Input"
     bl_description = "Move it one place up or down in the order"
 
     way: EnumProperty(name="Way", items=[('UP', "Up", "Before the one above it"), ('DOWN', "Down", "After the one below it")],
@@ -73,7 +73,7 @@ class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_turn_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.turn_input"
-    bl_label = "Turn Round"
+    bl_label = "Flip Direction"
     bl_description = "Reverse its direction"
 
     def changed(self, context, inputs):
@@ -85,7 +85,7 @@ class SPLINEWRIGHT_OT_turn_input(_OnInputs, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_remove_input(_OnInputs, bpy.types.Operator):
     bl_idname = "splinewright.remove_input"
-    bl_label = "Leave Out"
+    bl_label = "Remove from List"
     bl_description = "Leave this curve out of the surface; the curve itself stays"
 
     def changed(self, context, inputs):
@@ -157,7 +157,7 @@ class SPLINEWRIGHT_OT_reverse_inputs(_Ordering, bpy.types.Operator):
 class SPLINEWRIGHT_OT_show_inputs(OnFollowers, bpy.types.Operator):
     bl_idname = "splinewright.show_inputs"
     bl_label = "Show Inputs"
-    bl_description = "Show or hide, as H does, the objects that the shape is made from; it goes on following them"
+    bl_description = "Show or hide the objects that the shape is made from, as H does"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     how: EnumProperty(name="How", items=[('SHOW', "Show", "They are seen"), ('HIDE', "Hide", "They are not seen")])

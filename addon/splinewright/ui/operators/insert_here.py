@@ -10,7 +10,7 @@ from ...core.failures import FAILURES
 from .. import aim_overlay, editing, hand, picking
 from . import meant, reports
 from .on_shapes import at_exactly
-from .pointing import PASSED, redraw
+from .pointing import PASSED, redraw, take_again
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
 #: Pixels, of an interface that is not scaled, that belong to a point.
@@ -42,7 +42,7 @@ class ByClick:
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
-            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return is_possible(context)
 
     def invoke(self, context, event):
@@ -124,8 +124,7 @@ class ByClick:
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.insert_here"
     bl_label = "Insert Knot by Click"
-    bl_description = ("Click the curve or patch where a knot is to be; the shape stays the same, and has more control points "
-                      "there")
+    bl_description = "Click a curve or patch to insert a knot there; the shape does not change, but gets more control points"
     thing, does = "Knot", "insert"
 
     def clicked(self, aimed):
@@ -145,7 +144,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
     bl_label = "Extract Isocurve by Click"
-    bl_description = "Click the patch where a curve is to be extracted: a shape of its own, exact"
+    bl_description = "Click a patch to extract an exact isocurve there, as a new shape"
     thing, does = "Isocurve", "extract"
     dimensions = (2,)
     works_on_nets = False
@@ -160,7 +159,10 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     def clicked(self, aimed):
         if len(aimed.parameters) == 1:
             return {'CANCELLED'}        # a curve is one already
-        return self.done_at(aimed, bpy.ops.splinewright.extract_isocurve)
+        ended = self.done_at(aimed, bpy.ops.splinewright.extract_isocurve)
+        if self.at_once:
+            take_again(bpy.context, bpy.data.objects[aimed.name])
+        return ended
 
 
 def is_possible(context):

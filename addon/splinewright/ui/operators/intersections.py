@@ -16,8 +16,8 @@ from .long_work import LongWork
 class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.intersections"
     bl_label = "Mark Intersections"
-    bl_description = ("Add the points where the selected curves meet each other, themselves and the selected surfaces, as a mesh, "
-                      "and the curves that surfaces have in common, as a shape")
+    bl_description = ("Add the intersection points of selected curves and surfaces as a mesh, and common curves of surfaces "
+                      "as a shape")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     themselves: BoolProperty(name="With Themselves", description="Also where a curve meets itself, or other pieces of its shape",

@@ -15,8 +15,7 @@ _WIDTH = 420
 class SPLINEWRIGHT_OT_join(bpy.types.Operator):
     bl_idname = "splinewright.join"
     bl_label = "Join Shapes"
-    bl_description = ("Make the selected shapes one shape of all their pieces, in the place of the active one. With "
-                      "objects that are no shapes among them it asks first: nothing but a plain mesh or curve can hold both")
+    bl_description = "Join the selected shapes into the active one; with other objects among them it asks first"
     bl_options = {'REGISTER', 'UNDO'}
 
     end_definitions: BoolProperty(
@@ -75,7 +74,7 @@ def _seams(data):
         return ()
     definition = store.read(data)
     apart = [joint for joint in surveys.survey_of(data).joints if joint.sides and why_not(definition, *joint.sides)]
-    return ("patches that lie side by side have edges of their own yet: Join Patches makes them one",) if apart else ()
+    return ("adjacent patches still have separate edges: Join Patches joins them",) if apart else ()
 
 
 def _joinable(context):

@@ -74,11 +74,10 @@ def _in_hand(context):
 
 class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
     bl_idname = "splinewright.key_points"
-    bl_label = "Key Points"
-    bl_description = ("Set keys of control points at this frame, as they are: of those that are selected in the net, or in "
-                      "Object Mode of all")
+    bl_label = "Insert Point Keyframes"
+    bl_description = "Insert keyframes of the control points at this frame: of selected ones, or in Object Mode of all"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    needs = "The shape is made by a recipe: key its numbers in the panel, or use Make Editable first"
+    needs = "The shape is made by a recipe: key its numbers in the panel, or use Apply Construction first"
     nothing = "there is no point to key"
     done = "Keys of {} at frame {}"
 
@@ -97,16 +96,15 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_clear_point_keys(_OnPoints, bpy.types.Operator):
     bl_idname = "splinewright.clear_point_keys"
-    bl_label = "Clear Keys of Points"
-    bl_description = ("Delete the keys of control points: of those that are selected in the net, or in Object Mode of "
-                      "all. Points stay where they are")
+    bl_label = "Clear Point Keyframes"
+    bl_description = "Delete keyframes of the control points: of selected ones, or in Object Mode of all"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs = "None of its points has keys"
     nothing = "none of these points has keys there"
     done = "Cleared keys of {}"
 
     when: EnumProperty(name="Keys", description="Which keys", items=(
-        ('ALL', "Of All Frames", "All of them"), ('FRAME', "Of This Frame", "Those at the frame at hand")))
+        ('ALL', "Of All Frames", "All of them"), ('FRAME', "Of This Frame", "Those at the current frame")))
 
     @staticmethod
     def fits(ob):

@@ -98,7 +98,7 @@ class SPLINEWRIGHT_OT_split(AtShapeParameters, WithNeighbors, bpy.types.Operator
 
     where: EnumProperty(name="Where", items=(
         ('PARAMETER', "At Parameter", "At one parameter"),
-        ('KNOTS', "At Every Knot", "At every inner knot; what is periodic also at its seam"),
+        ('KNOTS', "At Every Knot", "At every inner knot, and at the seam of a periodic shape"),
         ('FLAT', "Until Flat", "Curves, by halves, into Bezier curves that lie within the tolerance of their chords")))
     tolerance: tolerance_property("How far a part may lie from its chord", 0.01, least=1e-9)
 
@@ -174,7 +174,7 @@ _ALONG = (
     along('clamp', "Clamp Ends", "Let the shape begin and end in its outer control points; a periodic one is cut at its seam",
           "Clamped {}", "it begins and ends in its outer points already", verb=verbs.clamp),
     along('unclamp', "Unclamp Ends", "Spread the knots at the ends, so that the shape touches no outer point; a periodic one is opened",
-          "Unclamped {}", "its knots go on outside the domain already", verb=verbs.unclamp))
+          "Unclamped {}", "its knots continue outside the domain already", verb=verbs.unclamp))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
            SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split,

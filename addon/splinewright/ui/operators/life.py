@@ -17,7 +17,7 @@ class _OnShapes(OnSelected):
 class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.restore"
     bl_label = "Restore"
-    bl_description = "Make the mesh or curve anew from the definition; changes made by hand are lost"
+    bl_description = "Make the mesh or curve again from the definition; changes made by hand are lost"
     done = "Restored {}"
 
     def work(self, context, ob):
@@ -27,7 +27,7 @@ class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
 class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.detach"
     bl_label = "Detach"
-    bl_description = "Keep what is shown as a plain mesh or curve and drop the definition"
+    bl_description = "Keep a plain mesh or curve, and drop the definition"
     done = "Detached {}"
 
     def work(self, context, ob):
@@ -37,7 +37,7 @@ class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.make_editable"
-    bl_label = "Make Editable"
+    bl_label = "Apply Construction"
     bl_description = "Drop the recipe, or stop following another object; the definition stays and can be edited"
     done = "{} can be edited"
 
@@ -65,7 +65,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.adopt_transform"
-    bl_label = "Adopt Transform"
+    bl_label = "Accept Applied Transform"
     bl_description = "The mesh or curve was moved as a whole, by Blender's Apply say: move the definition, too"
     done = "Adopted the transform of {}"
 

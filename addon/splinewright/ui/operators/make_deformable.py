@@ -13,9 +13,8 @@ from .pieces import UpToTolerance, scene_tolerance_property
 class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
     bl_idname = "splinewright.make_deformable"
     bl_label = "Make Deformable"
-    bl_description = ("Make exact circles, ellipses, cylinders, spheres, tori and surfaces of revolution cubic around, smooth "
-                      "everywhere and without the weights of circles, to be sculpted, within the tolerance. What a recipe makes "
-                      "gets Deformable in its panel")
+    bl_description = ("Make exact circles and surfaces of revolution cubic and smooth around, without weights, for "
+                      "sculpting, within the tolerance")
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a shape", "Made {} deformable"
     fits = staticmethod(shape.has_shape)

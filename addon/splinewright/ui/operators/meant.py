@@ -41,7 +41,7 @@ def _bound(ob):
         return "is linked from another file: make it local first"
     try:
         if recipes.has(ob.data):
-            return "is made by a recipe: use Make Editable first"
+            return "is made by a recipe: use Apply Construction first"
     except store.UnreadableDefinition:
         return "cannot be read"
     return "is not meant now" if hand.is_free(ob) else "cannot be changed"

@@ -14,8 +14,8 @@ from .pointing import Pointing, redraw
 class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.measure_here"
     bl_label = "Measure by Click"
-    bl_description = ("Show parameters, point, directions, curvatures and torsion of a shape at the mouse; a click takes the place "
-                      "into the panel Measure, which has all of it")
+    bl_description = ("Show parameters, point, curvatures and torsion of a shape at the mouse; click to measure there in the "
+                      "panel")
     bl_options = {'UNDO'}
     works_on_nets = True
 
@@ -32,7 +32,7 @@ class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
         return self.begin(context, event)
 
     def look(self, context, event):
-        self._found, state.measured = _measured_at(context, event.mouse_x, event.mouse_y)
+        self._found, state.measured = measured_at(context, event.mouse_x, event.mouse_y)
         redraw()
         return self._found is not None
 
@@ -66,7 +66,7 @@ def _shapes(context):
     return list({ob.name: ob for ob in (*hand.shapes(context), active) if ob}.values())
 
 
-def _measured_at(context, x, y):
+def measured_at(context, x, y):
     """((name of an object, number of its piece, parts of the domain) or None, a measure_overlay.Measured or None) at a pixel
     of the window."""
     view = picking.view_at(x, y)

@@ -1,4 +1,4 @@
-"""Move a knot between its neighbours: on the knot strip by the mouse or typed numbers, or in the panel."""
+"""Move a knot between its neighbors: on the knot strip by the mouse or typed numbers, or in the panel."""
 
 from contextlib import suppress
 
@@ -28,7 +28,7 @@ _KEYS = ("Move: the knot   |   Digits: its parameter   |   Ctrl: round numbers  
 class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
     bl_idname = "splinewright.move_knot"
     bl_label = "Move Knot"
-    bl_description = "Move a knot of the shape between its neighbours: the control points stay, and the shape follows"
+    bl_description = "Move a knot of the shape between its neighbors: the control points stay, and the shape follows"
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING'}
 
     piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
@@ -58,7 +58,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             return reports.cancelled(self, problem)
         owner = hand.shape_of(context.object)
         if owner is None:
-            return reports.cancelled(self, "the active object is no shape")
+            return reports.cancelled(self, "the active object is not a shape")
         hand.forget_asked()
         hand.note(self, 'piece', owner)
         to = decimals.meant(self.parameter, self.exact)

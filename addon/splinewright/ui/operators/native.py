@@ -1,4 +1,4 @@
-"""Make Exact and To Native: between Blender's own curves and surfaces and shapes."""
+"""Convert to Splinewright and To Native: between Blender's own curves and surfaces and shapes."""
 
 import bpy
 
@@ -26,9 +26,8 @@ class _Conversion(OnSelected):
 
 class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.make_exact"
-    bl_label = "Make Exact"
-    bl_description = ("Turn selected curves, surfaces and texts of Blender into Splinewright shapes of the same geometry, "
-                      "in their place; surfaces become meshes, texts become curves")
+    bl_label = "Convert to Splinewright"
+    bl_description = "Convert selected curves, surfaces and texts of Blender to Splinewright shapes of the same geometry"
     needs = "Select a curve or surface that is no Splinewright shape, or a text"
     done = "Made {} exact"
     fits = staticmethod(_is_native)
@@ -39,9 +38,8 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_idname = "splinewright.to_native"
-    bl_label = "Convert To Blender's Own"
-    bl_description = ("Turn selected Splinewright shapes into Blender's own curves and surfaces of the same geometry, "
-                      "in their place; meshes of patches become surfaces")
+    bl_label = "Convert to Blender Curve/Surface"
+    bl_description = "Convert selected Splinewright shapes to Blender curves and surfaces of the same geometry"
     needs = "Select a Splinewright shape"
     done = "Made {} Blender's own"
     fits = staticmethod(shape.has_shape)

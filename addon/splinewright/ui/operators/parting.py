@@ -43,7 +43,7 @@ class _OnChosen(pieces.OnPieces):
 class SPLINEWRIGHT_OT_delete_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.delete_pieces"
     bl_label = "Delete Piece"
-    bl_description = "Take a curve or patch out of the shape: the chosen one, or in a net that of the selected points"
+    bl_description = "Delete a curve or patch of the shape: the chosen one, or in a net that of the selected points"
     done = "Deleted pieces of {}"
 
     def work(self, context, ob):
@@ -67,8 +67,7 @@ def _counted(outcomes):
 class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.separate_pieces"
     bl_label = "Separate Piece"
-    bl_description = ("Make a curve or patch a shape of its own: the chosen one, or in a net that of the selected points. "
-                      "Materials, attributes and modifiers go along")
+    bl_description = "Separate a curve or patch into a new shape: the chosen one, or in a net the selected one"
     done = "Separated {}"
 
     def work(self, context, ob):
@@ -81,7 +80,7 @@ class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
 class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.explode"
     bl_label = "Explode"
-    bl_description = "Make every curve or patch of a shape a shape of its own. Materials, attributes and modifiers go along"
+    bl_description = "Separate every curve or patch of a shape into a new shape; materials, attributes and modifiers are kept"
     needs = "Select a shape of several pieces"
     fits = staticmethod(lambda ob: shape.has_shape(ob) and hand.count_of(ob.data) > 1)
     done = "Exploded {}"

@@ -8,7 +8,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge import joining, replacing
 from ...core import decimals, patch_joints, seams
 from ...core.failures import FAILURES
-from ...core.patch_curves import SIDES
+from ...core.patch_curves import SIDE_CHOICES, SIDES
 from .. import hand
 from . import polls, reports
 from .pick_piece import draw_number
@@ -37,7 +37,7 @@ def _number_property(name, what):
 
 def _side_property(of):
     items = [('NEAREST', "Nearest", "The side that lies nearest to the other patch"),
-             *((name, words.title(), f"Where {words[0]} {words[2:]}s") for name, words in SIDES.items())]
+             *SIDE_CHOICES]
     return EnumProperty(name="Side", description=f"Which side of {of}", items=items, default='NEAREST',
                         options={'SKIP_SAVE'})
 
@@ -45,8 +45,7 @@ def _side_property(of):
 class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
     bl_idname = "splinewright.join_patches"
     bl_label = "Join Patches"
-    bl_description = ("Make two patches continue each other where their nearest sides meet, and report what was achieved and "
-                      "how far they moved: two of the active shape, or one of each of two selected shapes")
+    bl_description = "Join two patches at their nearest sides with a chosen continuity, and report how far they moved"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     continuity: continuity_property()

@@ -295,7 +295,7 @@ class Reparameterizes:
     how: EnumProperty(name="How", items=(
         ('AFFINE', "New Domain", "Map the domain to another one; control points and weights stay"),
         ('MOEBIUS', "Moebius", "Keep the domain and change the weights, so that the parameter is spread unevenly; "
-         "what is periodic is opened")))
+         "a periodic curve is opened")))
     start: FloatProperty(name="Start", description="Where the new domain starts", default=0.0, precision=5)
     end: FloatProperty(name="End", description="Where the new domain ends", default=1.0, precision=5)
     rho: FloatProperty(name="Rho", description="Ratio of the speeds at both ends; above 0, 1 changes nothing",

@@ -2,6 +2,7 @@
 
 from bpy.props import BoolProperty
 
+from ...bridge.file_state import state
 from ...core import typed_number
 from .. import picking
 from . import meant
@@ -38,6 +39,12 @@ def given(operator, *names):
             if operator.at_once or operator.properties.is_property_set(name)}
 
 
+def take_again(context, ob):
+    """Select an object beside what was made of it, and make it active: for the next click of a tool."""
+    ob.select_set(True)
+    context.view_layer.objects.active = ob
+
+
 class Pointing:
     """Modal: what is at the mouse is shown until it is clicked, or called off. `hint` stands in the status bar."""
 
@@ -71,6 +78,7 @@ class Pointing:
             if ended != {'RUNNING_MODAL'}:
                 return ended
         context.window_manager.modal_handler_add(self)
+        state.is_pointing = True
         context.window.cursor_modal_set('EYEDROPPER')
         self.tell(context)
         self.look(context, event)
@@ -100,6 +108,7 @@ class Pointing:
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
+        state.is_pointing = False
         self.forget()
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)

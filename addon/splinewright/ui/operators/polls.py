@@ -1,4 +1,4 @@
-"""Why an operator cannot work now, said in its greyed-out button."""
+"""Why an operator cannot work now, said in its grayed-out button."""
 
 
 def in_object_mode(cls, context):

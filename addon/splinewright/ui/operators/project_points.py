@@ -16,8 +16,8 @@ from .long_work import LongWork
 class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.project_points"
     bl_label = "Project Points"
-    bl_description = ("Project the vertices of the other selected meshes to the nearest places of the active shape, exactly, "
-                      "as new meshes with the same faces, and report how far away they were")
+    bl_description = ("Project the vertices of the other selected meshes onto the active shape, as new meshes, and report "
+                      "the distances")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     in_place: BoolProperty(name="In Place", description="Move the vertices themselves, without new meshes")

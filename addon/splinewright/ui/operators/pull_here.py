@@ -38,8 +38,7 @@ _HANDLE_KEYS = {'D': 'TANGENT', 'C': 'CIRCLE'}
 class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     bl_idname = "splinewright.pull_here"
     bl_label = "Pull Shape"
-    bl_description = ("Take hold of any point of a curve or patch and pull: it goes where it is pulled to, and the "
-                      "control points follow with the least change")
+    bl_description = "Drag any point of a curve or patch; the control points follow with the least change"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     works_on_nets = True
 
@@ -72,7 +71,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(hand.is_free, shapes)):
-            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return any(map(hand.is_free, shapes))
 
     # From here on: with numbers.
@@ -80,7 +79,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     def execute(self, context):
         ob = self._owner(context)
         if ob is None:
-            return reports.cancelled(self, "the shape that was pulled is not in hand any more")
+            return reports.cancelled(self, "the shape that was pulled is no longer active")
         try:
             held = _held(context, ob)
             held.write(self._pulled(held.definition, ob))

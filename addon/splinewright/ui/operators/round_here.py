@@ -17,8 +17,7 @@ _RECIPE = RECIPES['rounded_edge']
 class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.round_here"
     bl_label = "Round Edges by Click"
-    bl_description = ("Click the edges that are rounded, of selected surfaces or of those that the active Round Edge rounds; Enter "
-                      "makes them")
+    bl_description = "Click the edges to round, of selected surfaces or of the active Round Edge; Enter finishes"
     bl_options = {'REGISTER'}
 
     @classmethod

@@ -19,9 +19,8 @@ _NEAREST = {(True, False, False): seeing.nearest_vertex, (False, True, False): s
 
 class SPLINEWRIGHT_OT_select_seen(bpy.types.Operator):
     bl_idname = "splinewright.select_seen"
-    bl_label = "Select Seen"
-    bl_description = ("Select the point or edge of a net nearest to the mouse, of those that no surface hides. With X-Ray, or "
-                      "Points Behind, Blender's own Select takes the nearest of all")
+    bl_label = "Select Visible"
+    bl_description = "Select the visible point or edge of a net nearest to the mouse"
     bl_options = {'INTERNAL'}
 
     #: Blender's keymap whose key for its own Select is taken.

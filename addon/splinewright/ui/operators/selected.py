@@ -25,6 +25,8 @@ class OnSelected:
     by_hand: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
     #: What came of the last call, for that panel: Blender's status bar need not say it again.
     result: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
+    #: Whether that is why nothing changed.
+    is_refused: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     @staticmethod
     def fits(ob):
@@ -67,19 +69,19 @@ class OnSelected:
         """What is to be done when it was done with all. Returns warnings."""
         return ()
 
-    def _finished(self, said):
-        self.result = reports.in_words(said)
+    def _finished(self, said, is_refused=False):
+        self.result, self.is_refused = reports.in_words(said), is_refused
         return reports.finished(self, said)
 
     def draw_result(self):
         """In the panel of the last operator."""
-        draw = texts.draw_problem if self.result.startswith(_NOTHING) else texts.draw_note
+        draw = texts.draw_problem if self.is_refused else texts.draw_note
         draw(self.layout, self.result, _WIDTH)
 
     def _refused(self, context, reasons):
         """Where another setting may do it, the panel of the last operator stays: Blender shows none of what was cancelled."""
         if self.by_hand and self.has_settings and any(map(self.can_work, self.chosen(context))):
-            return self._finished(reports.Said(_NOTHING, warnings=reasons))
+            return self._finished(reports.Said(_NOTHING, warnings=reasons), is_refused=True)
         return reports.cancelled(self, *reasons)
 
     def _work_on_all(self, context):

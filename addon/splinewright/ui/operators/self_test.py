@@ -10,8 +10,7 @@ from . import reports
 class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
     bl_idname = "splinewright.self_test"
     bl_label = "Self-Test"
-    bl_description = ("Test the native library on this machine: against formulas, bit for bit against other systems, against "
-                      "Blender's own NURBS, and how fast it is. The results are printed and copied to the clipboard")
+    bl_description = "Test the native library on this machine; the results are printed and copied to the clipboard"
     bl_options = {'REGISTER'}
 
     def execute(self, context):

@@ -50,8 +50,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        sight = SIGHTS[properties.sight]
-        return f"Show or hide {sight.label}: {sight.description[0].lower()}{sight.description[1:]}"
+        return SIGHTS[properties.sight].description
 
     @classmethod
     def poll(cls, context):

@@ -17,6 +17,7 @@ _NEEDS = "Select three curves of one plane"
 class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operator):
     bl_idname = "splinewright.add_touching_circle"
     bl_label = "Add Touching Circle"
+    button = "Touching Circle"
     bl_description = "Add a circle that touches three curves of one plane: pieces of the selected shapes, or Blender's own curves"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
@@ -45,7 +46,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
             if self.number > len(found):
                 raise Refusal(f"{len(found)} circles touch them, there is none of number {self.number}")
             circle = found[self.number - 1]
-            value = circle.arc if self.is_arc else sc.conics.circle(circle.centre, circle.radius, circle.normal)
+            value = circle.arc if self.is_arc else sc.conics.circle(circle.center, circle.radius, circle.normal)
             data = shape.new_data("Touching Circle", value, new_shapes.start(self))
         except FAILURES as error:
             return reports.failed(self, error)

@@ -23,11 +23,12 @@ _STEP = 0.1
 class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
     bl_idname = "splinewright.weight_here"
     bl_label = "Change Weight"
-    bl_description = ("Change the weights of the selected control points by moving the mouse sideways, or type a number; above "
-                      "1 pulls the shape nearer, below 0 pushes it away")
+    bl_description = ("Change the weights of the selected control points by mouse or number; larger weights pull the shape "
+                      "nearer")
     means = "less, more", "the weight"
 
-    kind: EnumProperty(name="Change", description="What becomes of the weights", options={'SKIP_SAVE'}, items=(
+
+    kind: EnumProperty(name="Change", description="How the weights change", options={'SKIP_SAVE'}, items=(
         ('SET', "Set", "All get one weight"), ('SCALE', "Scale", "All are multiplied by one number")))
     weight: FloatProperty(name="Weight", description="The weight of all selected points; not 0", default=1.0, precision=4,
                           step=10, options={'SKIP_SAVE'})
@@ -41,7 +42,7 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
         if not nets:
             cls.poll_message_set("Edit the net of a Splinewright shape first")
         elif not any(map(has_weights, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Make Editable first")
+            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return any(map(has_weights, nets))
 
     def draw(self, context):
@@ -99,7 +100,7 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
         """What becomes of weights (k,). Raises Refusal where that is 0."""
         number = decimals.typed(self.weight if self.kind == 'SET' else self.factor)
         if number == 0.0:
-            raise Refusal("a weight of 0 would take the point out of the shape: Send to Infinity makes it a direction")
+            raise Refusal("a weight of 0 would take the point out of the shape: Move to Infinity makes it a direction")
         return np.full(len(weights), number) if self.kind == 'SET' else weights * number
 
     def confirmed(self, context):

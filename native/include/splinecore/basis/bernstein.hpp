@@ -4,7 +4,7 @@
 
 namespace splinecore {
 
-/// Degrees above this are refused: C(255, 127) and its neighbours are far from overflow.
+/// Degrees above this are refused: C(255, 127) and its neighbors are far from overflow.
 inline constexpr int kMaxDegree = 255;
 
 /// C(n, k) for 0 <= k <= n <= 3 kMaxDegree; exact while it fits 53 bits.

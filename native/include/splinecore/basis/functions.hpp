@@ -24,7 +24,7 @@ void function_derivatives(const KnotVector& knots, int i, double u, std::span<do
 /// The functions of one degree in the triangular scheme at a parameter.
 ///
 /// Function first + j is rising[j] times the function first + j of one degree less plus falling[j] times its
-/// neighbour first + j + 1. A factor is 0 where the row before has no such function: all of them lie in [0, 1].
+/// neighbor first + j + 1. A factor is 0 where the row before has no such function: all of them lie in [0, 1].
 /// In the first row both lists are empty.
 struct TriangleRow {
   int first = 0;

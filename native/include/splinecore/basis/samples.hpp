@@ -43,7 +43,7 @@ class Stencil {
 /// Where a batch of parameters falls, and with which weights.
 ///
 /// Computed once, applied to any control points on the same knots: a grid, a patch whose
-/// points move, colours beside positions.
+/// points move, colors beside positions.
 class Samples {
  public:
   /// @param sides  one for all parameters, or one for each

@@ -4,19 +4,19 @@
 #include <span>
 #include <vector>
 
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/hermite_curve.hpp"
 
 namespace splinecore {
 
-/// The tangent at an end of an open chain, which has one neighbour only.
+/// The tangent at an end of an open chain, which has one neighbor only.
 enum class EndTangent {
   parabola,  ///< of the parabola through the last three points
   chord,     ///< along the last chord
   natural,   ///< so that the second derivative vanishes
 };
 
-/// How tangents come from the neighbours of a point (Kochanek and Bartels 1984; lecture row S5).
+/// How tangents come from the neighbors of a point (Kochanek and Bartels 1984; lecture row S5).
 struct Shaping {
   double tension = 0.0;     ///< 1: the tangents vanish; below 0 they grow
   double continuity = 0.0;  ///< other than 0: a corner

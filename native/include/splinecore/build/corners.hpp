@@ -11,7 +11,7 @@ namespace splinecore {
 /// The curve with an arc of a circle in place of each of its corners, at which its tangent turns; also of those at the
 /// seam of a closed one. Its runs between corners are shortened to where the arcs touch them. Without corners as it is.
 /// S18.
-/// @throws InvalidShape naming the corner's place if no arc of that radius fits between its neighbours, or the curve
+/// @throws InvalidShape naming the corner's place if no arc of that radius fits between its neighbors, or the curve
 ///         turns back or is not plane there; unless the radius is above 0.
 NurbsCurve rounded(const NurbsCurve& curve, double radius);
 

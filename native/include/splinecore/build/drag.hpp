@@ -53,7 +53,7 @@ struct PatchDrag {
   std::optional<glm::dvec3> tangent_v_by = {};
 };
 
-/// The same in the pool of one of many patches: rows that patches share are moved once, and the neighbours go along.
+/// The same in the pool of one of many patches: rows that patches share are moved once, and the neighbors go along.
 /// Points that lie in one place move as one. A tangent or twist that serves several corners stays.
 PatchSet dragged(const PatchSet& set, std::size_t patch, double u, double v, const PatchDrag& drag,
                  const Following& following = {});

@@ -19,7 +19,7 @@ struct HelixOptions {
 /// A helix about a curve, or where its radii differ a spiral: a point that turns evenly by the length of the curve in
 /// frames that turn no more than they must; where that has a corner it has a gap. By cubics with its tangents. S18.
 /// @throws InvalidShape if a radius is below 0, both are 0, the turns are 0 or a number is not finite;
-///         and as rotation_minimising_frames() and lengths_at_parameters().
+///         and as rotation_minimizing_frames() and lengths_at_parameters().
 NurbsCurve helix(const NurbsCurve& axis, const HelixOptions& options);
 
 }  // namespace splinecore

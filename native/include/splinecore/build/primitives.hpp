@@ -15,23 +15,23 @@ namespace splinecore {
 /// @throws InvalidShape if the axes are zero or parallel.
 NurbsPatch plane(const glm::dvec3& origin, const glm::dvec3& axis_a, const glm::dvec3& axis_b);
 
-/// The mantle of a cylinder; v from 0 to 1 rises from the circle about `centre` by `height`.
-NurbsPatch cylinder(const glm::dvec3& centre, const glm::dvec3& axis, double radius, double height, Turn turn = {});
+/// The mantle of a cylinder; v from 0 to 1 rises from the circle about `center` by `height`.
+NurbsPatch cylinder(const glm::dvec3& center, const glm::dvec3& axis, double radius, double height, Turn turn = {});
 
-/// The mantle of a cone, from the circle about `centre` to that of `top_radius` at `height`, or to the tip: a pole.
+/// The mantle of a cone, from the circle about `center` to that of `top_radius` at `height`, or to the tip: a pole.
 /// @throws InvalidShape if a radius is below 0 or both are 0.
-NurbsPatch cone(const glm::dvec3& centre, const glm::dvec3& axis, double radius, double height, double top_radius = 0.0,
+NurbsPatch cone(const glm::dvec3& center, const glm::dvec3& axis, double radius, double height, double top_radius = 0.0,
                 Turn turn = {});
 
 /// A flat disc with its pole in the middle, v from the rim to the middle; the normal is the axis.
-NurbsPatch disc(const glm::dvec3& centre, const glm::dvec3& axis, double radius, Turn turn = {});
+NurbsPatch disc(const glm::dvec3& center, const glm::dvec3& axis, double radius, Turn turn = {});
 
 /// A sphere; v from 0 to 2 is the latitude from the south to the north pole, two edges that are points.
-NurbsPatch sphere(const glm::dvec3& centre, double radius, const glm::dvec3& axis = {0.0, 0.0, 1.0}, Turn turn = {});
+NurbsPatch sphere(const glm::dvec3& center, double radius, const glm::dvec3& axis = {0.0, 0.0, 1.0}, Turn turn = {});
 
 /// A torus about the axis: a circle of `tube_radius`, whose middle runs on a circle of `ring_radius`. v is periodic; it
 /// begins on the outer equator and rises. A tube thicker than the ring meets itself.
-NurbsPatch torus(const glm::dvec3& centre, const glm::dvec3& axis, double ring_radius, double tube_radius,
+NurbsPatch torus(const glm::dvec3& center, const glm::dvec3& axis, double ring_radius, double tube_radius,
                  Turn turn = {});
 
 }  // namespace splinecore

@@ -10,13 +10,13 @@ namespace splinecore {
 /// A circle that touches three curves.
 struct TouchingCircle {
   NurbsCurve arc;  ///< from where it touches the first one through the second one to the third one
-  glm::dvec3 centre;
+  glm::dvec3 center;
   double radius;
   std::array<double, 3> parameters;
 };
 
 /// The circle that touches three curves of one plane near given places of theirs, by Newton's method from the circle
-/// through these. Of Apollonius' eight the one with the centre on that side of each curve. S18.
+/// through these. Of Apollonius' eight the one with the center on that side of each curve. S18.
 /// @param near  a parameter of each
 /// @throws InvalidShape if a parameter is outside its domain, the normal is zero, the places are on one line, or there
 ///         is none near them.

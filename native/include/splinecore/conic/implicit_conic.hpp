@@ -15,14 +15,14 @@ enum class ConicType {
 
 /// A conic in the coordinates of its plane.
 ///
-/// Of an ellipse and a hyperbola `centre` is the centre, `axis` the unit vector of the major or
+/// Of an ellipse and a hyperbola `center` is the center, `axis` the unit vector of the major or
 /// the transverse axis, `first` and `second` the half lengths along it and across. Of a parabola
-/// `centre` is the vertex, `axis` points to the focus, `first` is the focal length. Of crossing
+/// `center` is the vertex, `axis` points to the focus, `first` is the focal length. Of crossing
 /// lines `axis` first ± across second are their directions; of parallel ones `second` is half
 /// their distance. Otherwise lengths are 0.
 struct ConicShape {
   ConicType type = ConicType::empty;
-  glm::dvec2 centre{0.0, 0.0};
+  glm::dvec2 center{0.0, 0.0};
   glm::dvec2 axis{1.0, 0.0};
   double first = 0.0;
   double second = 0.0;
@@ -35,7 +35,7 @@ class ImplicitConic {
   ///
   /// The type is decided relative to the terms that cancel in each decision: a sum within
   /// 64 ulp of its largest term is zero. So rounded coefficients of a parabola, a circle or a pair
-  /// of lines near the plane's origin are recognised.
+  /// of lines near the plane's origin are recognized.
   /// @throws InvalidShape if a number is not finite, all coefficients are zero, or the shape
   ///         reaches beyond the range of numbers.
   static ImplicitConic make(const std::array<double, 6>& coefficients, const Plane& plane = {});
@@ -58,8 +58,8 @@ class ImplicitConic {
   ConicShape shape_;
 };
 
-/// The centre, a parabola's vertex, a point of a line; nothing where the conic is empty.
-std::optional<glm::dvec3> centre(const ImplicitConic& conic);
+/// The center, a parabola's vertex, a point of a line; nothing where the conic is empty.
+std::optional<glm::dvec3> center(const ImplicitConic& conic);
 
 /// The shape's axis and the direction across it, both unit vectors in space.
 std::array<glm::dvec3, 2> axis_directions(const ImplicitConic& conic);

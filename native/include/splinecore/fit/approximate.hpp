@@ -7,7 +7,7 @@
 
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/basis/knot_vector.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
 namespace splinecore {

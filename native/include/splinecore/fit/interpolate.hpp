@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "splinecore/base/approximation.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 
 namespace splinecore {

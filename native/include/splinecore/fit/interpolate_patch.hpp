@@ -32,7 +32,7 @@ struct FitDirection {
 /// Parameters 0, … along one direction of a grid: each of its lines has its own from 0 to 1, their means are taken, and
 /// a line that is one point has no say (The NURBS Book, A9.3). They end at the mean length of the lines.
 /// @throws InvalidShape if a coordinate is not finite, all lines are points, or a step is zero in all of them.
-std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parametrisation kind,
+std::vector<double> parameters_of(const PointGrid& grid, Axis axis, Parameterization kind,
                                   Closing closing = Closing::open);
 
 /// As calm_parameters() of curves: between two rows by the points of them that lie farthest apart, so that no line sets

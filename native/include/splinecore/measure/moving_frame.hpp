@@ -29,7 +29,7 @@ struct CarriedFrame {
 ///         zero or along the tangent, or if it is to be closed and does not close smoothly; PointAtInfinity;
 ///         ToleranceNotReached where a span turns so wildly that steps are halved more than 2^17 times; and as
 ///         lengths_at_parameters() where it is closed.
-void rotation_minimising_frames(const NurbsCurve& curve, std::span<const double> parameters,
+void rotation_minimizing_frames(const NurbsCurve& curve, std::span<const double> parameters,
                                 std::span<MovingFrame> out, const CarriedFrame& how = {}, Side side = Side::right);
 
 }  // namespace splinecore

@@ -71,7 +71,7 @@ struct PatchIntersections {
 /// where weights are so unlike that a curve goes much farther than the tolerance within the rounding of its parameter.
 CurveIntersections intersections(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 
-/// Where a curve meets itself: places with a < b, without those that its neighbourhood is always within the tolerance
+/// Where a curve meets itself: places with a < b, without those that its neighborhood is always within the tolerance
 /// of, as at a cusp; where it folds it lies on itself. Of a closed curve a stretch over its end is one, whose end is a
 /// turn further.
 CurveIntersections self_intersections(const NurbsCurve& curve, std::optional<double> tolerance = {});

@@ -51,7 +51,7 @@ std::vector<NearestOnCurve> nearest_all(const NurbsCurve& curve, const glm::dvec
 ///
 /// Common zeros of two polynomials in Bernstein's form on every pair of spans, by halving and Newton's method
 /// (plane_zeros). Where two opposite borders are one there is no border.
-/// @throws InvalidShape as above, or naming a place near which they are a curve or more, as from the centre of a
+/// @throws InvalidShape as above, or naming a place near which they are a curve or more, as from the center of a
 ///         sphere, or where they cannot be told apart.
 std::vector<StationaryOnPatch> stationary_points(const NurbsPatch& patch, const glm::dvec3& point);
 

@@ -14,7 +14,7 @@ namespace splinecore {
 
 enum class PatchKind { bezier, hermite, nurbs };
 
-/// A patch whose numbers lie in a pool of points that it shares with its neighbours.
+/// A patch whose numbers lie in a pool of points that it shares with its neighbors.
 struct IndexedPatch {
   PatchKind kind = PatchKind::bezier;
   /// Points in each direction.

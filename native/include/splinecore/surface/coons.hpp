@@ -20,7 +20,7 @@ namespace splinecore {
 /// @param tolerance  none: 2^-30 of the size of the curves
 /// @returns the patch, and how far an end was moved
 /// @throws InvalidShape if there are not three or four curves, one is closed, or the weights at the ends of one have
-///         not one sign; ToleranceNotReached where neighbours' ends lie farther apart.
+///         not one sign; ToleranceNotReached where neighbors' ends lie farther apart.
 Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional<double> tolerance = {});
 
 /// The patch between four curves that leaves them with derivatives that are given: the sum of the cubics from side to opposite
@@ -28,8 +28,8 @@ Approximation<NurbsPatch> coons(std::span<const NurbsCurve> sides, std::optional
 ///
 /// Over [0, 1] in both directions, u along the first curve. Sides are the curves, at their own pace, rational ones with their
 /// weights multiplied by a linear function that makes these 1 at both ends; derivatives too are those given, in homogeneous
-/// points whose twists agree. One that is not given runs smoothly from that along one neighbour to that along the other, with the
-/// twists of the bilinear patch (Adini), as far as these let nothing swing out, or of a neighbour's.
+/// points whose twists agree. One that is not given runs smoothly from that along one neighbor to that along the other, with the
+/// twists of the bilinear patch (Adini), as far as these let nothing swing out, or of a neighbor's.
 /// @param across     for each side none, or the derivative across it into the patch: vectors, as the points of a curve without
 ///                   weights that is run through as the side is
 /// @param tolerance  how far ends may lie apart, and a derivative from that along the next side; none: 2^-30 of the size of

@@ -22,7 +22,7 @@ struct RoundedEdge {
 ///
 /// The three have their sides in common: the same control points on the same knots, so that a set of them shares its edges and a
 /// mesh has no crack; to that end patches gain degrees and knots along the edge. Where the ball touches both patches at the same
-/// parameter along the edge cross sections are arcs of circles: about the centre of the ball, and where its radius changes of those
+/// parameter along the edge cross sections are arcs of circles: about the center of the ball, and where its radius changes of those
 /// in which balls leave their common hull. Where it does not, as sides beside the edge slant, planes across it are no planes of
 /// symmetry, or closed edges begin elsewhere or run at different paces, lines across go over several positions of it, so that the
 /// fillet ends where both patches do. Patches whose contact is a line of parameters are cut exactly; what closes to a point may

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "splinecore/base/approximation.hpp"
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/patch/isocurve.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
@@ -40,7 +40,7 @@ enum class LoftCorners {
 };
 
 /// A patch that a loft goes on from at its first or last section, which is a side of that patch.
-struct LoftNeighbour {
+struct LoftNeighbor {
   NurbsPatch patch;
   Border side;
   int continuity = 1;     ///< 1: with its tangent planes, 2: and curvatures, 3: and how these change; 0: with its side alone
@@ -53,7 +53,7 @@ struct LoftNeighbour {
 struct LoftEnd {
   std::optional<glm::dvec3> tangent;        ///< where it goes, for all points; of length 1 as fast as elsewhere
   std::optional<glm::dvec3> flat;           ///< in a pole: the normal of its tangent plane there
-  std::optional<LoftNeighbour> neighbour;   ///< whose side is a section before the first, or after the last one
+  std::optional<LoftNeighbor> neighbor;   ///< whose side is a section before the first, or after the last one
   double flat_speed = 1.0;                  ///< along that plane, by that of the loft elsewhere
 };
 
@@ -85,19 +85,19 @@ struct LoftOptions {
 /// one span of the degree that the conditions at the ends ask for.
 /// @returns the surface, and how far it is from the sections: how far these were moved, and by how much rounding makes it miss
 ///          one, where that is more than rounding of their size
-/// @throws InvalidShape if there are fewer than two sections, neighbours' sides among them (three where closed), a point is another one than the first
+/// @throws InvalidShape if there are fewer than two sections, neighbors' sides among them (three where closed), a point is another one than the first
 ///         or last, sections follow each other that are one, weights would not stay positive between sections, a
-///         neighbour's side lies at infinity, closed ones come back turned, knots that sections do not share would make more
+///         neighbor's side lies at infinity, closed ones come back turned, knots that sections do not share would make more
 ///         than 2^20 control points, or degree and parameters take the surface so far away between sections that it would miss
 ///         one by more than the tolerance, or 2^-20 of the size; ToleranceNotReached.
 Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
-/// How many corners each section of a loft has, those of neighbours' sides among them, where they are to be matched: all breaks
+/// How many corners each section of a loft has, those of neighbors' sides among them, where they are to be matched: all breaks
 /// of the tangent if all have as many of these, else those of more than 0.02 radians. A point has none; the seam of closed
 /// sections that are aligned counts as any other place.
 std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
-/// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbours, one
+/// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbors, one
 /// span of degree continuity + continuity + 1 across. Row S21.
 /// @param is_aligned  the second side is run through as the first one is, and closed ones are joined where they lie beside each
 ///                    other. Both keep their beginnings, so that edges stay edges: where these do not lie beside each other, lines
@@ -105,6 +105,6 @@ std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, co
 ///                    of the radius of round sides
 /// @throws InvalidShape as loft() does; ToleranceNotReached where rounding leaves it off the tangent planes
 ///         by more than 1e-4 radians, or off the curvatures by more than a thousandth of the largest
-NurbsPatch blend(const LoftNeighbour& from, const LoftNeighbour& to, bool is_aligned = true);
+NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned = true);
 
 }  // namespace splinecore

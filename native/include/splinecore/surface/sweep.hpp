@@ -54,7 +54,7 @@ struct SweepOptions {
 ///         exist, the rail turns back, or at a knot so sharply that parameters cannot tell it from a corner although it is none,
 ///         an end scale is not above 0, or a twist is more than 1024 turns; if the curve of a scale has another domain than the
 ///         rail, jumps, has points or weights that are not above 0, or on a closed rail ends with another number than it begins;
-///         ToleranceNotReached; as rotation_minimising_frames().
+///         ToleranceNotReached; as rotation_minimizing_frames().
 Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSection> sections,
                                 const SweepOptions& options = {});
 

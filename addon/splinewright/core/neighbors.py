@@ -31,12 +31,12 @@ def _lies_on(curve, other, tolerance):
     return other.nearest(sections.samples(curve)).distances.max() <= tolerance
 
 
-def angle_to(patch, neighbours, tolerance):
-    """The largest angle, in radians, between tangent planes of a patch and of its neighbours along its sides."""
+def angle_to(patch, neighbors, tolerance):
+    """The largest angle, in radians, between tangent planes of a patch and of its neighbors along its sides."""
     angles = [0.0]
     for name in patch_curves.SIDES:
         side, reason = patch_curves.side_of(patch, name)
-        for other, other_name, _ in neighbours if not reason else ():
+        for other, other_name, _ in neighbors if not reason else ():
             if _lies_on(side, patch_curves.side_of(other, other_name)[0], tolerance):
                 angles.append(_angle_along(side, patch, other))
     return max(angles)

@@ -1,4 +1,4 @@
-"""Networks that go on from neighbours: tangent planes along whole borders, curves stay, what cannot be is refused."""
+"""Networks that go on from neighbors: tangent planes along whole borders, curves stay, what cannot be is refused."""
 
 import math
 
@@ -61,14 +61,14 @@ def angle_to(made, border, beyond, count=60):
     return np.arcsin(np.clip(np.linalg.norm(np.cross(own, other), axis=1), 0, 1)).max()
 
 
-def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbours(inputs):
+def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbors(inputs):
     rng = np.random.default_rng(1)
     for trial in range(inputs(1000)):
         patch = hills(rng)
         along_u, along_v = isocurves(patch, *rng.integers(2, 6, 2))
         beyond = parts_beyond(patch, (-0.5, 1.5) if trial % 2 else (0, 1))
         chosen = [border for border in BORDERS if rng.random() < 0.6] or ["v_start"]
-        made, error = build.network(along_u, along_v, neighbours=[beyond[border] for border in chosen], tolerance=1e-3)
+        made, error = build.network(along_u, along_v, neighbors=[beyond[border] for border in chosen], tolerance=1e-3)
         assert error <= 1e-3
         for border in chosen:
             assert angle_to(made, border, beyond[border][0]) <= 1e-4
@@ -77,7 +77,7 @@ def test_the_hole_in_a_smooth_surface_goes_on_from_any_neighbours(inputs):
             assert made.nearest(points).distances.max() <= 1e-3
 
 
-def test_without_neighbours_it_does_not_go_on():
+def test_without_neighbors_it_does_not_go_on():
     """Otherwise the test above could not fail."""
     patch = hills(np.random.default_rng(1))
     made = build.network(*isocurves(patch, 3, 3), tolerance=1e-3).value
@@ -89,7 +89,7 @@ def test_sizes_and_places(scale, shift):
     patch = hills(np.random.default_rng(2))
     matrix = np.column_stack([scale * np.eye(3), (shift, -shift, shift)])
     far = patch.transformed(matrix)
-    made, _ = build.network(*isocurves(far, 3, 4), neighbours=[parts_beyond(far)["v_end"]], tolerance=1e-3 * scale)
+    made, _ = build.network(*isocurves(far, 3, 4), neighbors=[parts_beyond(far)["v_end"]], tolerance=1e-3 * scale)
     back = made.transformed(np.column_stack([np.eye(3), (-shift, shift, -shift)])).transformed(np.eye(3) / scale)
     assert angle_to(back, "v_end", parts_beyond(patch)["v_end"][0]) <= 1.1e-4
 
@@ -104,7 +104,7 @@ def test_rings_and_ribs_go_on_from_a_tube():
         c, s = math.cos(angle), math.sin(angle)
         ribs.append(sc.BezierCurve([(c, s, 0), (c, s, 0.6), (0.7 * c, 0.7 * s, 1.2), (0.5 * c, 0.5 * s, 2)]))
     tube = build.cylinder((0, 0, -1), (0, 0, 1), 1.0, 1.0)
-    made, error = build.network([ring(1, 0), ring(0.5, 2)], ribs, neighbours=[(tube, "v_end", "G1")], tolerance=1e-3)
+    made, error = build.network([ring(1, 0), ring(0.5, 2)], ribs, neighbors=[(tube, "v_end", "G1")], tolerance=1e-3)
     assert error <= 1e-3
     closed, open_ = ("u", "v") if made.periodic[0] else ("v", "u")
     assert angle_to(made, f"{open_}_start", tube) <= 3e-4
@@ -120,20 +120,20 @@ def lines(slope=0.0):
     return along_u, along_v
 
 
-@pytest.mark.parametrize("neighbours, error, words", [
-    ([(flat(0, 1, -1, -0.5), "v_end", "G1")], sc.InvalidShape, r"neighbours\[0\] lies along none .* 0.5"),
-    ([(flat(0, 1, 1, 0), "v_end", "G1")], sc.InvalidShape, r"along_v\[0\] turns back over neighbours\[0\]"),
-    ([(flat(0, 1, -1, 0), "v_end", "G1")] * 2, sc.InvalidShape, r"neighbours\[1\] lies along a curve that has"),
-    ([(flat(0, 1, -1, 0), "v_end", "G2")], sc.InvalidShape, r"neighbours\[0\] has continuity 2"),
+@pytest.mark.parametrize("neighbors, error, words", [
+    ([(flat(0, 1, -1, -0.5), "v_end", "G1")], sc.InvalidShape, r"neighbors\[0\] lies along none .* 0.5"),
+    ([(flat(0, 1, 1, 0), "v_end", "G1")], sc.InvalidShape, r"along_v\[0\] turns back over neighbors\[0\]"),
+    ([(flat(0, 1, -1, 0), "v_end", "G1")] * 2, sc.InvalidShape, r"neighbors\[1\] lies along a curve that has"),
+    ([(flat(0, 1, -1, 0), "v_end", "G2")], sc.InvalidShape, r"neighbors\[0\] has continuity 2"),
     ([(sc.BezierPatch([[(0, 0, 0)] * 2, [(1, 0, 0)] * 2]), "v_end", "G1")], sc.InvalidShape, "no tangent plane"),
     (flat(0, 1, -1, 0), TypeError, "list of"),
     ([None], TypeError, "None"),
 ])
-def test_what_is_no_neighbour_is_refused_by_name(neighbours, error, words):
+def test_what_is_no_neighbor_is_refused_by_name(neighbors, error, words):
     with pytest.raises(error, match=words):
-        build.network(*lines(), neighbours=neighbours)
+        build.network(*lines(), neighbors=neighbors)
 
 
 def test_curves_that_leave_the_tangent_planes_are_refused_and_it_is_said_how_far():
-    with pytest.raises(sc.ToleranceNotReached, match=r"along_v\[\d\] is missed: it does not leave neighbours\[0\] in its tangent plane"):
-        build.network(*lines(0.8), neighbours=[(flat(0, 1, -1, 0), "v_end", "G1")])
+    with pytest.raises(sc.ToleranceNotReached, match=r"along_v\[\d\] is missed: it does not leave neighbors\[0\] in its tangent plane"):
+        build.network(*lines(0.8), neighbors=[(flat(0, 1, -1, 0), "v_end", "G1")])

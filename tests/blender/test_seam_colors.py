@@ -1,4 +1,4 @@
-"""Seams have colours of their own: far, to the eye, from those of nets, of what is selected and of outlines."""
+"""Seams have colors of their own: far, to the eye, from those of nets, of what is selected and of outlines."""
 
 import glob
 import itertools
@@ -19,7 +19,7 @@ LEAST = 0.15
 
 
 def seen(color):
-    """In Oklab (B. Ottosson, 2020), where colours lie as far apart as they seem."""
+    """In Oklab (B. Ottosson, 2020), where colors lie as far apart as they seem."""
     color = np.asarray(color[:3], float)
     light = np.where(color <= 0.04045, color / 12.92, ((color + 0.055) / 1.055) ** 2.4)
     cones = np.array([[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
@@ -58,7 +58,7 @@ def test_distances_are_those_to_the_eye():
 
 
 @pytest.mark.parametrize('theme', ("as it opens", "Light"))
-def test_no_colour_of_a_seam_is_like_one_of_the_theme(theme):
+def test_no_color_of_a_seam_is_like_one_of_the_theme(theme):
     before = of_theme()
     if theme == "Light":
         light = [path for path in themes() if "light" in path.lower()]

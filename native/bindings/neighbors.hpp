@@ -15,6 +15,6 @@ namespace py = pybind11;
 int continuity_of(const py::object& word, const char* name);
 
 /// (patch, side, 'G0' to 'G3'), and the strength where it is not 1; none for None.
-std::optional<splinecore::LoftNeighbour> neighbour_of(const py::object& value, const char* name);
+std::optional<splinecore::LoftNeighbor> neighbor_of(const py::object& value, const char* name);
 
 }  // namespace bindings

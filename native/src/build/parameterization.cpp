@@ -1,4 +1,4 @@
-#include "splinecore/build/parametrisation.hpp"
+#include "splinecore/build/parameterization.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,9 +25,9 @@ void write_chords(std::span<const glm::dvec3> points, std::span<double> out) {
 }
 
 /// Steps of the parameter from distances.
-void make_steps(std::span<double> chords, Parametrisation kind) {
-  if (kind == Parametrisation::uniform) std::ranges::fill(chords, 1.0);
-  if (kind != Parametrisation::centripetal) return;
+void make_steps(std::span<double> chords, Parameterization kind) {
+  if (kind == Parameterization::uniform) std::ranges::fill(chords, 1.0);
+  if (kind != Parameterization::centripetal) return;
   for (double& chord : chords) chord = std::sqrt(chord);
 }
 
@@ -38,13 +38,13 @@ void make_steps(std::span<double> chords, Parametrisation kind) {
   const std::string place = "points" + index_text(i % points.size());
   const std::string before = " points" + index_text(i - 1);
   if (!std::isfinite(parameters[i])) throw InvalidShape(place + " is too far from" + before + ": their distance overflows");
-  throw InvalidShape(place + " is too close to" + before + ": their distance is no step of the parameter");
+  throw InvalidShape(place + " is too close to" + before + ": they coincide within rounding and get equal parameters");
 }
 
 }  // namespace
 
-std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parametrisation kind, Closing closing) {
-  if (kind == Parametrisation::uniform || points.size() == 1) require_finite(points, "points");
+std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parameterization kind, Closing closing) {
+  if (kind == Parameterization::uniform || points.size() == 1) require_finite(points, "points");
   if (points.empty()) return {};
   const std::size_t inner = points.size() - 1;
   const std::size_t count = points.size() + (closing == Closing::closed ? 1 : 0);
@@ -54,7 +54,7 @@ std::vector<double> parameters_of(std::span<const glm::dvec3> points, Parametris
   for (std::size_t first = 0; first + 1 < count; first += kTogether) {
     const std::span<double> steps(chords.data(), std::min(kTogether, count - 1 - first));
     const std::size_t open = std::min(steps.size(), inner - std::min(first, inner));
-    if (kind != Parametrisation::uniform) write_chords(points.subspan(first), steps.first(open));
+    if (kind != Parameterization::uniform) write_chords(points.subspan(first), steps.first(open));
     if (open < steps.size()) steps.back() = distance_of(points.back(), points.front());
     make_steps(steps, kind);
     for (std::size_t i = 0; i < steps.size(); ++i) parameters[first + i + 1] = parameters[first + i] + steps[i];

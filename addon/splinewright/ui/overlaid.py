@@ -1,0 +1,13 @@
+"""What is worked out to be drawn over an object, kept until Blender tells of any change, or anything of ours is written."""
+
+import bpy
+
+from ..bridge.file_state import state
+
+
+def kept(what, ob, make):
+    """What make(ob) gave in the view layer at hand since the last change."""
+    name = what, ob.as_pointer(), bpy.context.view_layer.as_pointer()
+    if name not in state.overlaid:
+        state.overlaid[name] = make(ob)
+    return state.overlaid[name]
