@@ -14,8 +14,8 @@ Objects are Blender's, of `bpy.data.objects`. A value is a curve, a list of curv
 Arrays are NumPy's, float64, with every digit. Points are in the space of the object, in Blender's units; angles are in radians.
 
 Where something cannot be done a function raises `Refusal`, which is a ValueError, or `splinecore.Error`, with one sentence, and
-changes nothing. What is of the wrong type raises a TypeError. Call these functions in Object Mode, and from the main thread. They
-add no undo step: an operator that calls them has one of its own.
+changes nothing. A value of the wrong type raises a TypeError. Call these functions in Object Mode, and from the main thread. They
+add no undo step: an operator that calls them adds one.
 """
 
 from typing import NamedTuple
@@ -331,7 +331,7 @@ def _data(given):
     """The data-block of a shape."""
     _require_object(given)
     if not shape.has_shape(given):
-        raise Refusal(f"{given.name} is no Splinewright shape")
+        raise Refusal(f"{given.name} is not a Splinewright shape")
     return given.data
 
 

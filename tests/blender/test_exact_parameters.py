@@ -36,7 +36,7 @@ def click(cls, *at, direction='U'):
     """What clicking does of which the mouse says this."""
     aimed = SimpleNamespace(name="shape", number=1, parameters=at, direction=direction)
     said = []
-    operator = SimpleNamespace(report=lambda kind, text: said.append((kind, text)), bl_label="")
+    operator = SimpleNamespace(report=lambda kind, text: said.append((kind, text)), bl_label="", at_once=False)
     operator.done_at = lambda *args, **settings: cls.done_at(operator, *args, **settings)
     return cls.clicked(operator, aimed), said
 

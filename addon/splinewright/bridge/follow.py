@@ -43,7 +43,7 @@ def _add(blocks):
 
 
 def _is_live(data):
-    """Whether a data-block is to follow. What is linked from another file cannot be written."""
+    """Whether a data-block is to follow. Linked data cannot be written."""
     return recipes.follows(data) and not data.library
 
 
@@ -65,13 +65,13 @@ def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result
 
 
 def first_space(sources, depsgraph):
-    """The placing.Space that is first given to what is made from objects: where the first one lies, without its scale, or the
+    """The placing.Space of a new shape that is made from objects: where the first one lies, without its scale, or the
     world's."""
     return placing.beside(next(iter(sources), None), depsgraph)
 
 
 def attach(ob, source, depsgraph):
-    """Make a shape follow another object from now on, in place of its own points.
+    """Make a shape follow another object from now on, in place of its points.
 
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
@@ -106,13 +106,13 @@ def let_move_freely(data, is_free, depsgraph):
 
 
 def set_parameters(data, changes, depsgraph):
-    """Change parameters of what is made from objects, by name. Raises, and changes nothing, where nothing comes of it."""
+    """Change parameters of a shape that is made from objects, by name. Raises, and changes nothing, if it cannot be made."""
     stored = recipes.read(data)
     _make_anew(data, stored._replace(values={**stored.values, **changes}), depsgraph)
 
 
 def set_frame(data, frame, depsgraph, changes=()):
-    """Give what is made from objects another object of which the place and axes count, or none, and other parameters by
+    """Give a shape that is made from objects another one of which the place and axes count, or none, and other parameters by
     name. Raises as set_parameters()."""
     stored = recipes.read(data)
     if not stored or not stored.recipe.frame:
@@ -149,7 +149,7 @@ def _make_anew(data, wanted, depsgraph):
 
 
 def take_along(data, matrix, depsgraph):
-    """Make a shape anew whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: one that
+    """Make a shape again whose mesh or curve was moved by an affine matrix (4, 4), as its object was by the inverse: one that
     moves freely keeps that. Raises as set_parameters()."""
     stored = recipes.read(data)
     owner, inputs = _in_space(data, stored, depsgraph)
@@ -335,7 +335,7 @@ def _in_use():
 
 def _owner_of(data, turn):
     """The object in whose space a follower lies: the first by name that is in use, or None. That is kept until an
-    object is told of that could be it: to look for one costs as much as the file has objects."""
+    object is reported that could be it: to look for one costs as much as the file has objects."""
     name = key(data)
     if name in state.owners:
         known = state.owners[name]
@@ -388,7 +388,7 @@ def _ready(data, turn):
 
 
 def _make(data, stored, space):
-    """Whether a follower is another after it was made anew. Raises FAILURES."""
+    """Whether a follower is another after it was made again. Raises FAILURES."""
     result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
     recipes.keep_names(data)
     if _same(store.read(data), result.definition) and not shape.is_touched(data):

@@ -1,4 +1,4 @@
-"""Shapes that recipes make for scripts: settings are exact, inputs are taken in the order in which they are given."""
+"""Shapes that recipes make for scripts: settings are exact, and inputs keep the order in which they are given."""
 
 from contextlib import suppress
 

@@ -1,6 +1,6 @@
 """The parameters of recipes as Blender's properties show them, in float32. What counts is the recipe beside them.
 
-They keep their numbers themselves, without functions of ours to get and set them: what is keyed Blender sets in threads of
+They keep their numbers themselves, without get and set functions: keyed values Blender sets in threads of
 its own, where it must not call Python.
 """
 
@@ -42,7 +42,7 @@ def _are_one(value, shown):
 
 
 def show(data, recipe, values, frames=(), count=0):
-    """Let the properties of a data-block show these values, the object that gives the place, if any, and a list of so many rows."""
+    """Let the properties of a data-block show these values, the object that gives the place, if any, and a list of this length."""
     group = of(data)
     with settings.quiet(data):
         for parameter in recipe.parameters:
@@ -61,7 +61,7 @@ def show(data, recipe, values, frames=(), count=0):
 
 
 def are_shown(data, recipe, count):
-    """Whether show() ever was called for a data-block that is made from so many objects. It was not in older files."""
+    """Whether show() ever was called for a data-block that is made from this number of objects. It was not in older files."""
     group = of(data)
     return (len(group.inputs) == (count if recipe.has_more else 0)
             and all(group.is_property_set(name_of(recipe, parameter)) for parameter in recipe.parameters))

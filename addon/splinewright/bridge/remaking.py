@@ -1,4 +1,4 @@
-"""Shapes that recipes make from numbers and points of their own."""
+"""Shapes that recipes make from their numbers and points."""
 
 from contextlib import suppress
 
@@ -24,7 +24,7 @@ def new_data(name, recipe, values, points, resolution, result=None, progress=sha
 
 
 def set_parameters(data, changes):
-    """Change parameters of a recipe of points, by name. Raises, and changes nothing, where nothing comes of it."""
+    """Change parameters of a recipe of points, by name. Raises, and changes nothing, if it cannot be made."""
     _remake(data, {**recipes.parameters(data), **changes}, recipes.points(data))
     held = free_net.editing(data)
     if held is not None and 'closed' in changes:
@@ -34,7 +34,7 @@ def set_parameters(data, changes):
 
 
 def set_points(data, points):
-    """Give a recipe other points (n, 3). Raises, and changes nothing, where nothing comes of it."""
+    """Give a recipe other points (n, 3). Raises, and changes nothing, if it cannot be made."""
     _remake(data, recipes.parameters(data), np.asarray(points, dtype=np.float64))
 
 

@@ -36,7 +36,7 @@ def quiet(data):
 
 
 def set_resolution(data, resolution_u, resolution_v):
-    """Both at once, with one evaluation at most. Raises TypeError, and changes nothing, for what is no whole number."""
+    """Both at once, with one evaluation at most. Raises TypeError, and changes nothing, for anything but whole numbers."""
     settings = of(data)
     was = settings.resolution_u
     with quiet(data):
@@ -50,7 +50,7 @@ def set_resolution(data, resolution_u, resolution_v):
 
 
 def set_count(data, resolution_u, resolution_v):
-    """Show a surface by so many faces in every span, with one evaluation at most. Raises as set_resolution()."""
+    """Show a surface by a number of faces in every span, with one evaluation at most. Raises as set_resolution()."""
     was = of(data).mode
     with quiet(data):
         of(data).mode = COUNT

@@ -23,12 +23,12 @@ def file_of(ob):
 
 
 def has_shape(ob):
-    """Whether the object is a shape of ours."""
+    """Whether the object is a shape of Splinewright."""
     return ob is not None and ob.type in ('MESH', 'CURVE') and is_shape(ob.data)
 
 
 def is_shape(data):
-    """Whether a data-block, or None, is that of a shape of ours."""
+    """Whether a data-block, or None, is that of a shape of Splinewright."""
     return type(data) in (bpy.types.Mesh, bpy.types.Curve) and store.has_definition(data)
 
 
@@ -178,7 +178,7 @@ def is_touched(data):
 
 
 def seems_touched(data):
-    """is_touched() as it was when Blender last told of a change, for what is drawn again and again."""
+    """is_touched() as it was when Blender last reported a change, for what panels and overlays draw again and again."""
     name = key(data)
     if name not in state.touched:
         state.touched[name] = is_touched(data)

@@ -1,4 +1,4 @@
-"""That Blender evaluates what a shape is made from wherever it evaluates the shape, also where that is hidden.
+"""Blender evaluates the inputs of a shape where it evaluates the shape, hidden ones, too.
 
 Of a hidden object pointers bring nothing but shape keys: no transform, no hooks. A driver that reads its dimensions, which
 depend on all of that, brings the rest; of objects whose place alone counts one that reads their transform. It always gives

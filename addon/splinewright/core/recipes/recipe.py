@@ -111,11 +111,11 @@ class Recipe:
 
     @property
     def wanted(self):
-        """What is to be selected."""
+        """What must be selected."""
         return ' and '.join(one.text for one in self.inputs)
 
     def takes(self, count):
-        """Whether it can be made from so many objects."""
+        """Whether it can be made from this number of objects."""
         return count >= len(self.inputs) if self.has_more else count == len(self.inputs)
 
     def wanted_at(self, index):

@@ -41,7 +41,7 @@ class _AddRecipe(AddShape):
 
 
 def _spread(points, count):
-    """So many of the points, or more on the curve y = 1 / (1 + 25 x²), Runge's, where they are not enough."""
+    """This number of the points, or more on the curve y = 1 / (1 + 25 x²), Runge's, where they are not enough."""
     if count == len(points):
         return points
     return starters.runge(count) * abs(points).max()

@@ -24,7 +24,7 @@ def _path(operator):
 
 
 def _path_property():
-    """In place of those of Blender's helpers, which presets would hold: its file browser shows again what is hidden."""
+    """In place of those of Blender's helpers, which presets would hold: its file browser shows hidden ones again."""
     return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH',
                           options={'HIDDEN', 'SKIP_PRESET' if versions.has_skip_preset else 'SKIP_SAVE'})
 
@@ -35,7 +35,7 @@ def _printable(text):
 
 
 def _text_of(path):
-    """What a file says. Raises Refusal where it is no text, OSError where it cannot be read."""
+    """The text of a file. Raises Refusal where it holds something else, OSError where it cannot be read."""
     try:
         return path.read_text(encoding='utf-8-sig')
     except UnicodeDecodeError as error:
@@ -49,7 +49,7 @@ def _start_of(path):
 
 
 class _Import(ImportHelper):
-    """Adds the shapes of files where their coordinates say, at the origin of the world."""
+    """Adds the shapes of files at their coordinates, from the origin of the world."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
@@ -145,7 +145,7 @@ class _Export(ExportHelper):
         return True
 
     def text(self, values):
-        """(what is written of values by names of objects, what of them is left out, by name). Raises as sc.dumps()."""
+        """(the text for values by names of objects, those left out, by name). Raises as sc.dumps()."""
         raise NotImplementedError
 
     def execute(self, context):

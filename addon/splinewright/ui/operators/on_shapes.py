@@ -171,7 +171,7 @@ class WithinTolerance(pieces.WithinTolerance):
 
 
 def plain(base, name, label, description, done, already, options=OnSelected.bl_options, **verb):
-    """The operator of a verb without settings of its own. verb: the method of the base that gives it."""
+    """The operator of a verb without additional settings. verb: the method of the base that gives it."""
     members = {'bl_idname': f"splinewright.{name}", 'bl_label': label, 'bl_description': description, 'bl_options': options,
                'done': done, 'already': already, '__annotations__': {}, **verb}
     return type(f"SPLINEWRIGHT_OT_{name}", (base, bpy.types.Operator), members)
