@@ -14,7 +14,7 @@ OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Add', 'Adopt', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
          'Extrude', 'Fair', 'Fill', 'Fillet', 'Fit', 'Follow', 'Hold', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Loft', 'Lower', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 
          'Rebuild', 'Reduce', 'Release', 'Remove', 'Renew', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Send', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split', 'Swap', 'Sweep', 'Switch', 'Take', 'Thicken', 'Trim', 'Turn', 'Unclamp',
-         'Write'}
+         'Update', 'Write'}
 
 
 def kind_of(name):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import baking, derived, follow, placing, recipes, shape, store, surveys
+from ..bridge import baking, derived, follow, late, placing, recipes, shape, store, surveys
 from ..bridge.net import net_object
 from . import manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
@@ -114,6 +114,18 @@ def _draw_moving(layout, ob):
         texts.draw_note(layout, "Moved away from its inputs")
 
 
+def _draw_update(layout, data):
+    """When the shape is made anew, and whether it waits for that."""
+    is_manual = data.splinewright.update_mode == 'MANUAL'
+    row = layout.row(align=True)
+    row.prop(data.splinewright, "update_mode")
+    if is_manual:
+        row.operator("splinewright.update_now", icon='FILE_REFRESH')
+    if late.is_late(data):
+        when = "it waits for Update Now" if is_manual else "it is made anew when the mouse rests"
+        texts.draw_note(layout, f"Its inputs changed: {when}")
+
+
 def _draw_following(layout, ob):
     data = ob.data
     try:
@@ -135,6 +147,7 @@ def _draw_following(layout, ob):
     else:
         for text in derived.not_followed_by(data, sources):
             texts.draw_note(layout, f"Not followed: {text}")
+    _draw_update(layout, data)
     _draw_moving(layout, ob)
     column = layout.column(align=True)
     column.operator("splinewright.edit_source", icon='EDITMODE_HLT')
