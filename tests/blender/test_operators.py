@@ -16,7 +16,7 @@ VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', '
          'Fill', 'Fillet', 'Finish', 'Fit', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
          'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',
          'Remove', 'Reparameterize', 'Restore', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split',
-         'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock',
+         'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update',
          'Write'}
 
 

@@ -17,6 +17,10 @@ class FileState:
     followers: set = field(default_factory=set)         # data-blocks that are made from objects; a hint
     causes: object = None                               # the bridge.causes.Index of the followers, until they have others
     made: dict = field(default_factory=dict)            # of a follower what it was made of last; of bridge.follow
+    costs: dict = field(default_factory=dict)           # of a follower the seconds that it took the last two times
+    late: dict = field(default_factory=dict)            # followers that are brought up to date later; of bridge.late
+    put_off_at: float = 0.0                             # when the last one was put off, by bridge.late.clock()
+    put_off_by: tuple = ()                              # the ended_operators() then
     owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None
     doubtful: set = field(default_factory=set)          # followers that did not follow before all objects became others
     stopped: tuple = ()                                 # what ui.stopped says in the status bar

@@ -2,6 +2,7 @@
 
 import functools
 import heapq
+import math
 
 import bpy
 import numpy as np
@@ -9,8 +10,9 @@ from mathutils import Matrix
 
 from ..core import definition as definitions
 from ..core.failures import Refusal, told
+from ..core.library import sc
 from ..core.recipes.table import FOLLOW
-from . import causes, derived, handles, held, placing, point_keys, problems, recipes, shape, store
+from . import causes, derived, handles, held, late, placing, point_keys, problems, recipes, shape, store
 from .file_state import block_of, key, state
 
 
@@ -40,6 +42,8 @@ def _add(blocks):
             state.followers.add(key(data))
             state.causes = None
             recipes.watch(data)
+            if late.has_mark(data) and not late.is_late(data) and late.take_back(data):
+                state.doubtful.add(key(data))
 
 
 def _is_live(data):
@@ -143,6 +147,7 @@ def _make_anew(data, wanted, depsgraph):
     shape.set_definition(data, result.definition)
     is_free = placing.moves_freely(data)
     recipes.write_derived(data, wanted.recipe, wanted.values, wanted.sources, result, wanted.frames, wanted.turned)
+    late.is_done(data)
     if is_free:
         placing.start(data, space, owner, inputs)
     problems.tell(data, problems.FOLLOWING, "")
@@ -187,12 +192,13 @@ def require_no_cycle(data, source):
         seen.add(key(ob))
 
 
-def refresh(changed, depsgraph):
-    """Bring the followers of changed blocks up to date, inputs before what follows them."""
+def refresh(changed, depsgraph, budget=None):
+    """Bring the followers of changed blocks up to date, inputs before what follows them. budget: a late.Budget by which some are
+    put off."""
     _note(changed)
     if not state.followers:
         return
-    turn = _Turn(depsgraph)
+    turn = _Turn(depsgraph, None if state.doubtful else budget)
     changed = {*changed, *filter(None, map(block_of, state.doubtful))}
     state.doubtful = set()
     blocks = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
@@ -259,10 +265,30 @@ def refresh_all(changed, depsgraph):
     """Bring every follower up to date that a depsgraph shows: another frame, another file."""
     _note(changed)
     turn, state.doubtful, state.causes = _Turn(depsgraph), set(), None
+    take_late()
     for data in list(map(block_of, _index().order)):
         _update(data, turn)
         if depsgraph.mode == 'VIEWPORT' and recipes.watch(data):
             state.doubtful.add(key(data))           # its driver was taken away: now Blender evaluates what it needs
+
+
+def finish(blocks, depsgraph):
+    """Bring late.blocks() up to date, and what follows them."""
+    refresh(_taken(blocks), depsgraph)
+
+
+def take_late():
+    """The followers that are late, which are to be brought up to date now."""
+    return _taken(late.blocks()) if state.late else set()
+
+
+def _taken(blocks):
+    if None in blocks:
+        scan()                          # by its mark one that was renamed is found
+    found = set(filter(None, blocks))
+    for data in found:
+        state.late.pop(key(data), None)
+    return found
 
 
 def problem(data):
@@ -315,8 +341,8 @@ def _in_words(name, ob):
 class _Turn:
     """One go of bringing followers up to date."""
 
-    def __init__(self, depsgraph):
-        self.depsgraph = depsgraph
+    def __init__(self, depsgraph, budget=None):
+        self.depsgraph, self.budget = depsgraph, budget
 
     @functools.cached_property
     def in_use(self):
@@ -354,19 +380,30 @@ def _update(data, turn, is_alone=False, is_own=False):
     is_alone: whether nothing but the place of its object is another. is_own: whether nothing that it is made from is.
     """
     try:
-        known, (stored, space) = state.made.pop(key(data), None), _ready(data, turn)
+        known, (stored, space) = state.made.get(key(data)), _ready(data, turn)
         if stored is None:
+            state.made.pop(key(data), None)     # meanwhile what it is made from may change
             return False
         if is_alone and placing.moves_freely(data):
-            state.made[key(data)] = known
             return False
         is_all, made_of = derived.made_of(stored, space)
-        is_same = (is_all or is_own) and known == (made_of, store.digest(data)) and not shape.is_touched(data)
-        is_new = not is_same and _make(data, stored, space)
+        is_same = (is_all or is_own and not late.has_mark(data)) and known == (made_of, store.digest(data)) and not shape.is_touched(data)
+        if not is_same and turn.budget and not turn.budget.allows(data):
+            if not (is_own and known is None and _is_untouched(data)):
+                late.put_off(data)
+            return False
+        is_new = not is_same and _make(data, stored, space, turn.budget)
+        late.is_done(data)
         problems.tell(data, problems.FOLLOWING, "")
         state.made[key(data)] = made_of, store.digest(data)
         return is_new
+    except sc.Cancelled:
+        late.note(data, math.inf)
+        late.put_off(data)
+        return False
     except Exception as error:
+        late.is_done(data)
+        state.made.pop(key(data), None)
         problems.tell(data, problems.FOLLOWING, _naming_input(data, told(error)))
         return False
 
@@ -387,15 +424,24 @@ def _ready(data, turn):
     return stored, placing.kept_up(data, owner, pointed, turn.depsgraph)
 
 
-def _make(data, stored, space):
-    """Whether a follower is another after it was made again. Raises FAILURES."""
-    result = derived.result(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
+def _make(data, stored, space, budget):
+    """Whether a follower is another after it was made again. Raises FAILURES, and Cancelled where that takes more than a budget."""
+    start = late.clock()
+    make = derived.work(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
+    result = make(budget.is_over if budget else None)
     recipes.keep_names(data)
-    if _same(store.read(data), result.definition) and not shape.is_touched(data):
-        return False
-    shape.set_definition(data, result.definition)
-    recipes.write_achieved(data, result)
-    return True
+    is_new = not _same(store.read(data), result.definition) or shape.is_touched(data)
+    if is_new:
+        shape.set_definition(data, result.definition)
+        recipes.write_achieved(data, result)
+    late.note(data, late.clock() - start)
+    return is_new
+
+
+def _is_untouched(data):
+    """Whether a follower of which nothing else is known shows what it was made of: its own place does not count, nor did others
+    change it."""
+    return placing.moves_freely(data) and not late.is_late(data) and not shape.is_touched(data)
 
 
 def _naming_input(data, sentence):

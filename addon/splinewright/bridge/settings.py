@@ -13,6 +13,8 @@ AUTOMATIC, COUNT, TOLERANCE, ANGLE, BOTH = 'AUTOMATIC', 'COUNT', 'TOLERANCE', 'A
 #: Of what is drawn over a shape: an override of a linked one has its own. What the geometry depends on it has from its library, as
 #: Blender reads that from there.
 _OF_OVERRIDES = {'LIBRARY_OVERRIDABLE'}
+#: When a shape is made again whose inputs change.
+ALWAYS, ON_RELEASE, MANUAL = 'ALWAYS', 'ON_RELEASE', 'MANUAL'
 #: Settings of which the geometry depends.
 _SHOWING = ('mode', 'tolerance', 'angle', 'resolution_u', 'resolution_v', 'sharp_angle', 'reach')
 
@@ -149,8 +151,13 @@ def angle_property(**more):
         **more)
 
 
+def _when_changed(self, context):
+    if not is_quiet(self.id_data):
+        self.when_changed(context)
+
+
 class Settings:
-    """Numbers of a PropertyGroup whose changed() is called when a user changes one."""
+    """Numbers of a PropertyGroup whose changed() is called when a user changes one, and when_changed() when it is update_mode."""
 
     mode: mode_property(update=_changed)
     tolerance: tolerance_property(update=_changed)
@@ -167,6 +174,12 @@ class Settings:
     reach: FloatProperty(
         name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
+    update_mode: EnumProperty(
+        name="Update", description="When the shape is updated while its inputs change; saved files and rendered frames are always exact",
+        items=((ALWAYS, "Always", "At every mouse step that leaves time for it, otherwise as soon as the mouse rests"),
+               (ON_RELEASE, "On Release", "When the mouse button is released"),
+               (MANUAL, "Manual", "By Update Now, and before the file is saved or another frame is shown or rendered")),
+        default=ALWAYS, options=set(), update=_when_changed)
     show_seams: BoolProperty(
         name="Color Seams by Continuity", description="Color the seams of the patches by continuity",
         default=False, options=set(), override=_OF_OVERRIDES)

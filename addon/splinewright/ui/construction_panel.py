@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import derived, follow, placing, recipes, shape, store
+from ..bridge import derived, follow, late, placing, recipes, shape, store
 from ..bridge.net import net_object
 from . import hand, recipe_props, texts
 from .sub_panel import SidePanel
@@ -65,6 +65,18 @@ def _draw_moving(layout, ob):
         texts.draw_note(layout, "Moved away from its inputs")
 
 
+def _draw_update(layout, data):
+    """When the shape is made again, and whether it waits for that."""
+    is_manual = data.splinewright.update_mode == 'MANUAL'
+    row = layout.row(align=True)
+    row.prop(data.splinewright, "update_mode")
+    if is_manual:
+        row.operator("splinewright.update_now", icon='FILE_REFRESH')
+    if late.is_late(data):
+        when = "it waits for Update Now" if is_manual else "it is updated when the mouse rests"
+        texts.draw_note(layout, f"Its inputs changed: {when}")
+
+
 def _draw_following(layout, ob):
     data = ob.data
     try:
@@ -86,6 +98,7 @@ def _draw_following(layout, ob):
     else:
         for text in derived.not_followed_by(data, sources):
             texts.draw_note(layout, f"Not followed: {text}")
+    _draw_update(layout, data)
     _draw_moving(layout, ob)
     column = layout.column(align=True)
     column.operator("splinewright.make_editable")

@@ -1,9 +1,11 @@
 """What Blender tells of changes, passed on to the shapes they concern."""
 
+import sys
+
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import deviation_targets, follow, keyed, recipes, transforming, versions
+from ..bridge import deviation_targets, follow, keyed, late, recipes, transforming, versions
 from ..bridge.file_state import ended_operators, forget, key, look_again, state
 from ..bridge.net import dragging, live
 from ..bridge.net.growing import Moment
@@ -11,6 +13,8 @@ from . import deviation_paint, editing, errands, hints, messages, saving, texts,
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
+#: Seconds between two looks whether a drag is over.
+_LOOK = 0.1
 
 
 @persistent
@@ -45,7 +49,9 @@ def updated(scene, depsgraph):
     if is_new:
         follow.refresh_all(changed, depsgraph)
     elif changed or state.doubtful:
-        follow.refresh(changed, depsgraph)
+        follow.refresh(changed, depsgraph, _budget(sys._getframe().f_back))
+    if state.late:
+        timers.later(_finish_late, _SETTLE)
     if state.followers or state.stopped:
         if is_new or depsgraph.id_type_updated('SCENE') or depsgraph.id_type_updated('COLLECTION'):
             follow.look_for_inputs()
@@ -53,6 +59,40 @@ def updated(scene, depsgraph):
     if len(state.nets) == len(written) == 1 and _is_alone(changed - written):
         dragging.begin(*editing.nets(), occasion)
     state.seen = ended_operators()
+
+
+def _budget(caller):
+    """The late.Budget of a step; None where there is no user who drags. caller: the frame of Python that had Blender look for
+    changes, or None where it does so by itself, between two events."""
+    return None if bpy.app.background else late.Budget(is_awaited=caller is not None)
+
+
+def _finish_late():
+    """The mouse rests: what was put off is made."""
+    if errands.is_away():
+        timers.later(_finish_late, _SETTLE)
+        return
+    due = late.waiting(_is_released())
+    if due:
+        follow.finish(due, bpy.context.evaluated_depsgraph_get())
+        _redraw()
+    if late.waiting():
+        timers.later(_finish_late, _LOOK)
+
+
+def _redraw():
+    """Views, with their sidebars, and properties."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type in ('VIEW_3D', 'PROPERTIES'):
+                area.tag_redraw()
+
+
+def _is_released():
+    """Whether nothing is dragged any more, as far as Blender tells."""
+    if versions.knows_modal_operators:
+        return not any(window.modal_operators for window in bpy.context.window_manager.windows)
+    return ended_operators() != state.put_off_by
 
 
 @persistent
@@ -78,7 +118,7 @@ def _keep_frame():
 def undone(*_):
     """After undo and redo every object is another."""
     _put_back_after_failure()
-    for known in (state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets, state.overlaid):
+    for known in (state.late, state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets, state.overlaid):
         known.clear()
     state.drag = None
     state.handed = state.began = ended_operators()
@@ -124,6 +164,17 @@ def frame_changes(*_):
 
 
 @persistent
+def render_begins(scene, *_):
+    """Of a still, which may show the frame as it is."""
+    if state.late:
+        errands.in_main_thread(_finish_all, scene)
+
+
+def _finish_all():
+    follow.finish(late.blocks(), bpy.context.evaluated_depsgraph_get())
+
+
+@persistent
 def frame_changed(scene, depsgraph):
     """The shapes of another frame: in views, renders and exports."""
     if state.targets and errands.is_main_thread():
@@ -138,7 +189,7 @@ def frame_changed(scene, depsgraph):
 
 def _show_frame(changed, depsgraph):
     is_new = _look_through()
-    changed |= keyed.show(changed, depsgraph)
+    changed |= keyed.show(changed, depsgraph) | follow.take_late()
     # What a render evaluates is new in every frame, and before it shapes were at another.
     refresh = follow.refresh_all if is_new or depsgraph.mode == 'RENDER' else follow.refresh
     refresh(changed, depsgraph)
@@ -283,6 +334,7 @@ _HANDLERS = {
     'load_post': loaded,
     'frame_change_pre': frame_changes,
     'frame_change_post': frame_changed,
+    'render_init': render_begins,
     'save_pre': saving.before,
     'save_post': saving.after,
 }
@@ -304,6 +356,6 @@ def unregister():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
-    for function in (_first_look, _serve, _say, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
+    for function in (_first_look, _serve, _say, _finish_late, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
                      editing.take_up, deviation_paint.settle, deviation_paint.redraw):
         timers.call_off(function)

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import PointerProperty
 
-from ..bridge import problems, settings, shape, store
+from ..bridge import follow, late, problems, settings, shape, store
 from ..bridge.file_state import state
 from ..bridge.net import live
 from ..core.failures import FAILURES, sentence
@@ -34,6 +34,12 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
         except FAILURES as error:
             problems.tell(data, problems.SETTING, sentence(error))
         live.note_settings(data)
+
+    def when_changed(self, context):
+        """A shape that is late need not wait any longer, but by Manual."""
+        data = self.id_data
+        if late.is_late(data) and self.update_mode != settings.MANUAL:
+            follow.finish([data], bpy.context.evaluated_depsgraph_get())
 
     def set_resolution(self, resolution_u, resolution_v):
         """Both at once, and faces by count, with one evaluation at most. TypeError, and no change, for no whole number."""

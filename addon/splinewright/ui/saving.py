@@ -9,7 +9,7 @@ from typing import NamedTuple
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import problems
+from ..bridge import follow, late, problems
 from ..bridge.file_state import state
 from ..bridge.net import live, magnet, net_object
 from ..core.failures import told
@@ -32,6 +32,8 @@ def before(*_):
     for ob in editing.nets():
         live.pull(ob)
     editing.settle()
+    if state.late:
+        follow.finish(late.blocks(), bpy.context.evaluated_depsgraph_get())
     suspended = []
     try:
         for scene in bpy.data.scenes:
