@@ -133,7 +133,7 @@ def test_sections_change_along_the_rail():
     assert error <= 1e-6
 
 
-def test_corners_of_straight_rails_are_mitred():
+def test_corners_of_straight_rails_are_mitered():
     rail = build.contour([(0, 0, 0), (4, 0, 0), (4, 3, 0), (4, 3, 5)])
     made, error = build.sweep(rail, ring(0.5), tolerance=1e-9)
     assert error <= 1e-9
@@ -143,7 +143,7 @@ def test_corners_of_straight_rails_are_mitred():
     assert off.max() <= 1e-9
     frame = build.contour([(0, 0, 0), (4, 0, 0), (4, 3, 0), (0, 3, 0)], closed=True)
     closed, _ = build.sweep(frame, ring(0.5), tolerance=1e-9)
-    assert np.abs(grid(closed)[:, 0] - grid(closed)[:, -1]).max() <= 1e-12      # its first corner is mitred, too
+    assert np.abs(grid(closed)[:, 0] - grid(closed)[:, -1]).max() <= 1e-12      # its first corner is mitered, too
 
 
 @pytest.mark.parametrize("rail, sections, more, words", [

@@ -69,7 +69,7 @@ NurbsCurve naturally_extended(const NurbsCurve& curve, const DirectedEnd& end, d
 }
 
 void require_open(const NurbsCurve& curve) {
-  if (is_closed(curve)) throw InvalidShape("the curve is closed: it has no end to go on from");
+  if (is_closed(curve)) throw InvalidShape("the curve is closed: it has no end to extend");
 }
 
 /// So long an extension stays short of going round its circle.

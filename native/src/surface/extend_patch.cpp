@@ -134,7 +134,7 @@ NurbsPatch extended(const NurbsPatch& patch, Border side, double length, Extensi
     throw InvalidShape("the length " + text_of(length) + " is too " + (length > size ? "long" : "short") + " for a surface about " +
                        text_of(size) + " large");
   }
-  if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to go on from");
+  if (patch.knot_vector(axis).periodic()) throw InvalidShape("the surface is closed in this direction: it has no side to extend");
   const Interval domain = patch.knot_vector(axis).domain();
   if (!is_at_end(side)) {
     const NurbsPatch back = extended(turned(patch, axis, domain), axis == Axis::u ? Border::u_end : Border::v_end, length, how);

@@ -166,12 +166,12 @@ class Sweeping {
     const std::vector<double> shares = shares_at(at);
     std::vector<glm::dvec4> rows = sections_.at(at);
     const std::size_t width = rows.size() / at.size();
-    const Mitre mitre = mitre_of(stretch);
+    const Mitre miter = miter_of(stretch);
     for (std::size_t i = 0; i < at.size(); ++i) {
       for (std::size_t j = 0; j < width; ++j) {
         glm::dvec4& p = rows[i * width + j];
         const glm::dvec3 out = in_frame(places[i].frame, scale_at(at[i]) * turned(glm::dvec3(p), shares[i]));
-        p = glm::dvec4(out + p.w * places[i].point + slide(mitre, places[i], out, p.w) * places[i].frame.tangent, p.w);
+        p = glm::dvec4(out + p.w * places[i].point + slide(miter, places[i], out, p.w) * places[i].frame.tangent, p.w);
       }
     }
     return rows;
@@ -230,24 +230,24 @@ class Sweeping {
     return {size * (c * q.x - s * q.y), size * (s * q.x + c * q.y), q.z};
   }
 
-  Mitre mitre_of(const Interval& stretch) {
-    Mitre mitre;
+  Mitre miter_of(const Interval& stretch) {
+    Mitre miter;
     const bool has_start = is_corner(stretch.start);
     const bool has_end = is_corner(stretch.end);
-    if (!has_start && !has_end) return mitre;
+    if (!has_start && !has_end) return miter;
     const double ends[] = {stretch.start, stretch.end};
     const std::vector<RailPlace> own = places_.at(ends, stretch);
-    mitre.from = own[0].point;
-    mitre.length = length_of(own[1].point - own[0].point);
+    miter.from = own[0].point;
+    miter.length = length_of(own[1].point - own[0].point);
     require_straight(stretch, own);
-    if (has_start) mitre.start = half_plane(own[0].frame.tangent, stretch.start, Side::left);
-    if (has_end) mitre.end = half_plane(own[1].frame.tangent, stretch.end, Side::right);
-    return mitre;
+    if (has_start) miter.start = half_plane(own[0].frame.tangent, stretch.start, Side::left);
+    if (has_end) miter.end = half_plane(own[1].frame.tangent, stretch.end, Side::right);
+    return miter;
   }
 
   /// Between two tangents at a corner.
   glm::dvec3 half_plane(const glm::dvec3& tangent, double at, Side other) {
-    constexpr double kTurnsBack = 0.2;  // of two unit tangents: a mitre reaches out by 10 times the section
+    constexpr double kTurnsBack = 0.2;  // of two unit tangents: a miter reaches out by 10 times the section
     const Interval whole = rail_.domain();
     if (other == Side::left && at == whole.start) at = whole.end;
     if (other == Side::right && at == whole.end) at = whole.start;
@@ -276,13 +276,13 @@ class Sweeping {
   }
 
   /// How far, times its weight, a point moves along a straight stretch to be in the planes at its ends.
-  double slide(const Mitre& mitre, const RailPlace& place, const glm::dvec3& out, double weight) const {
-    if (mitre.length == 0.0 || weight == 0.0) return 0.0;
+  double slide(const Mitre& miter, const RailPlace& place, const glm::dvec3& out, double weight) const {
+    if (miter.length == 0.0 || weight == 0.0) return 0.0;
     const auto to_plane = [&](const glm::dvec3& normal) {
       return normal == glm::dvec3(0.0) ? 0.0 : -glm::dot(out, normal) / glm::dot(place.frame.tangent, normal);
     };
-    const double share = length_of(place.point - mitre.from) / mitre.length;
-    return (1.0 - share) * to_plane(mitre.start) + share * to_plane(mitre.end);
+    const double share = length_of(place.point - miter.from) / miter.length;
+    return (1.0 - share) * to_plane(miter.start) + share * to_plane(miter.end);
   }
 
   const NurbsCurve& rail_;
