@@ -166,7 +166,7 @@ class Sweeping {
     const std::vector<double> shares = shares_at(at);
     std::vector<glm::dvec4> rows = sections_.at(at);
     const std::size_t width = rows.size() / at.size();
-    const Mitre miter = miter_of(stretch);
+    const Miter miter = miter_of(stretch);
     for (std::size_t i = 0; i < at.size(); ++i) {
       for (std::size_t j = 0; j < width; ++j) {
         glm::dvec4& p = rows[i * width + j];
@@ -187,7 +187,7 @@ class Sweeping {
   int twist_steps() const { return static_cast<int>(std::ceil(std::abs(options_.twist) / kQuarter)); }
 
   /// The planes that halve the corners at both ends of a stretch, by their normals; 0 where there is none.
-  struct Mitre {
+  struct Miter {
     glm::dvec3 start{0.0};
     glm::dvec3 end{0.0};
     glm::dvec3 from{0.0};
@@ -230,8 +230,8 @@ class Sweeping {
     return {size * (c * q.x - s * q.y), size * (s * q.x + c * q.y), q.z};
   }
 
-  Mitre miter_of(const Interval& stretch) {
-    Mitre miter;
+  Miter miter_of(const Interval& stretch) {
+    Miter miter;
     const bool has_start = is_corner(stretch.start);
     const bool has_end = is_corner(stretch.end);
     if (!has_start && !has_end) return miter;
@@ -276,7 +276,7 @@ class Sweeping {
   }
 
   /// How far, times its weight, a point moves along a straight stretch to be in the planes at its ends.
-  double slide(const Mitre& miter, const RailPlace& place, const glm::dvec3& out, double weight) const {
+  double slide(const Miter& miter, const RailPlace& place, const glm::dvec3& out, double weight) const {
     if (miter.length == 0.0 || weight == 0.0) return 0.0;
     const auto to_plane = [&](const glm::dvec3& normal) {
       return normal == glm::dvec3(0.0) ? 0.0 : -glm::dot(out, normal) / glm::dot(place.frame.tangent, normal);
