@@ -1,6 +1,7 @@
 """What all operators have in common: names that say the verb, presets where there is something to keep."""
 
 import ctypes
+import re
 
 import bpy
 import pytest
@@ -122,3 +123,36 @@ def test_tooltips_have_plain_words():
     described |= {recipe.kind: recipe.description for recipe in part('core.recipes.table').RECIPES.values()}
     assert len(described) > 200
     assert not [name for name, text in described.items() if any(words in text for words in ODD)]
+
+
+#: Short words that Blender writes small inside of labels.
+SMALL = {'a', 'an', 'the', 'and', 'or', 'nor', 'but', 'of', 'in', 'on', 'at', 'to', 'by', 'from', 'for', 'with', 'as', 'per', 'de'}
+#: Labels that are mathematics or names of places in files, as they are written there.
+SYMBOLS = re.compile(r"[a-z]|[xyz]\(.*\)|(First|Last) [uv]|[uv] (Start|End)|inputs|stage|de .*")
+
+
+def is_capitalized(label):
+    words = re.findall(r"[^\s(/]+", label)
+    return all(word[0].isupper() or not word[0].isalpha() or word in SMALL and 0 < i < len(words) for i, word in enumerate(words))
+
+
+def texts_shown():
+    """(where, label, tooltip) of classes, properties and choices."""
+    for cls in (cls for room in part('ui')._rooms() for cls in room.CLASSES):
+        yield cls.__name__, getattr(cls, 'bl_label', ""), getattr(cls, 'bl_description', "")
+        names = {name for base in cls.__mro__ for name in vars(base).get('__annotations__', {})}
+        for prop in (cls.bl_rna.properties.get(name) for name in names):
+            if prop is not None and not prop.is_hidden:
+                yield f"{cls.__name__}.{prop.identifier}", prop.name, prop.description
+                for item in prop.enum_items if prop.type == 'ENUM' else ():
+                    yield f"{cls.__name__}.{prop.identifier}={item.identifier}", item.name, item.description
+
+
+def test_labels_are_capitalized():
+    assert not [(where, label) for where, label, _ in texts_shown() if label and not SYMBOLS.fullmatch(label) and not is_capitalized(label)]
+
+
+def test_a_tooltip_is_a_sentence_of_twenty_words_at_most():
+    tips = [(where, tip) for where, _, tip in texts_shown() if tip]
+    assert len(tips) > 400
+    assert not [(where, tip) for where, tip in tips if len(tip.split()) > 20 or ". " in tip or tip.endswith(".") or not tip[0].isupper()]
