@@ -323,6 +323,7 @@ METHODS = {
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
     "Filling": COPIES,
+    "LoftSurface": COPIES | {"__iter__": lambda one, at: list(one)},
     "NetworkSurface": COPIES | {"__iter__": lambda one, at: list(one)},
     "RoundedEdge": COPIES,
     "SubdivisionPatches": COPIES,
@@ -404,6 +405,7 @@ def others(at):
     upright = at.size * np.array([[(2, j, i) for j in range(3)] for i in range(3)], dtype=float)
     yield lambda: build.fillet_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(upright), "u_start", 0.1 * at.size)
     edges = [sc.BezierPatch(flat).boundary(side) for side in ("v_start", "v_end", "u_start", "u_end")]
+    yield lambda: build.loft(edges[:2])
     yield lambda: build.network(edges[:2], edges[2:])
     yield lambda: build.fill([sc.BezierPatch(flat).boundary(side) for side in ("u_start", "v_end", "u_end", "v_start")])
     yield lambda: build.catmull_clark(flat.reshape(9, 3), [(0, 3, 4, 1), (1, 4, 5, 2), (3, 6, 7, 4), (4, 7, 8, 5)])

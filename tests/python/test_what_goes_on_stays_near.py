@@ -1,6 +1,7 @@
 """Blends, lofts and extensions of wild patches: none shoots out beside what it goes on from, and as much is added as was asked for."""
 
 import numpy as np
+import pytest
 
 import splinecore as sc
 from splinecore import build
@@ -107,3 +108,32 @@ def test_a_patch_is_made_longer_by_the_mean_of_all_its_lines(inputs):
         lines = np.linalg.norm(np.diff(grid, axis=axis), axis=-1).sum(axis)
         assert abs(lines.mean() / length - 1) <= 0.1, seed      # of 64 lines, one of which may be 19 times as long
     assert made_count > 0.5 * inputs(200)
+
+
+def test_a_loft_says_with_how_much_of_the_strength_it_follows(inputs):
+    """With that part asked for, and no more calmed, it is the same surface; with what is asked for it is refused."""
+    less = 0
+    for seed in range(inputs(200)):
+        rng = np.random.default_rng([seed, 84])
+        a, side_a, b, side_b, _ = drawn(rng)
+        strength, word = float(10**rng.uniform(-0.5, 0.5)), str(rng.choice(["G1", "G2", "G3"]))
+
+        def made(part, **options):
+            return build.loft([], start_neighbour=(a, side_a, word, part * strength), end_neighbour=(b, side_b, word, part * strength), **options)
+
+        try:
+            found = made(1)
+        except (sc.InvalidShape, sc.ToleranceNotReached):
+            continue
+        value, error = found
+        assert value is not None and error == found.error and found.followed in 0.5**np.arange(9)
+        asked = made(found.followed, calm=False)
+        assert asked.followed == 1 and np.array_equal(asked.value.points, found.value.points), seed
+        if found.followed == 1:
+            continue
+        less += 1
+        for refused in (lambda: made(1, calm=False), lambda: made(2 * found.followed, calm=False),
+                        lambda: build.blend_patches(a, side_a, b, side_b, word, strength, calm=False)):
+            with pytest.raises(sc.InvalidShape):
+                refused()
+    assert less > 0.03 * inputs(200)

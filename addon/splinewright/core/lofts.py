@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import patch_curves, patch_joints, sections, verbs
+from . import decimals, patch_curves, patch_joints, sections, verbs
 from .failures import AboutInputs, Refusal, about_items
 from .library import sc
 
@@ -94,7 +94,13 @@ def loft(found, start, end, is_aligned, is_matched, **options):
     with about_items(sections=[one.number for one in inner]):
         made = sc.build.loft([one.taken for one in inner], align=is_aligned, turned=[one.is_turned for one in inner], corners=corners,
                              **more, **options)
-    return made, _unmatched(inner, is_aligned) if is_matched else ""
+    told = [_unmatched(inner, is_aligned) if is_matched else "", calmed_in_words(made.followed)]
+    return made, ", ".join(filter(None, told))
+
+
+def calmed_in_words(part):
+    """With which part of its strengths a surface follows others, or "" where that is all of it."""
+    return "" if part == 1 else f"it follows surfaces with {decimals.text_of(part, 2)} of the strength: with more it would shoot out"
 
 
 def _require_order(found):

@@ -15,6 +15,7 @@ from . import (
     HermiteCurve,
     HermitePatch,
     JoinedPatches,
+    LoftSurface,
     NetworkSurface,
     NurbsCurve,
     NurbsPatch,
@@ -257,8 +258,9 @@ def loft(
     end_flat: ArrayLike | tuple[ArrayLike, float] | None = None,
     start_neighbor: _Neighbor | None = None,
     end_neighbor: _Neighbor | None = None,
+    calm: bool = True,
     cancel: Callable[[], object] | None = None,
-) -> Approximation[NurbsPatch]: ...
+) -> LoftSurface: ...
 def corner_counts(sections: Sequence[_Curve | ArrayLike], *, align: bool = True) -> list[int]: ...
 def blend_patches(
     a: _Patch,
@@ -269,6 +271,7 @@ def blend_patches(
     strengths: float | tuple[float, float] = 1.0,
     *,
     align: bool = True,
+    calm: bool = True,
 ) -> NurbsPatch: ...
 def coons(
     sides: Sequence[_Curve],

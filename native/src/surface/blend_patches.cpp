@@ -60,7 +60,7 @@ std::optional<SeamTurn> turn_at_end(const NurbsPatch& blend, const LoftNeighbor&
 double rise(double t) { return t * t * t * t * (35.0 - t * (84.0 - t * (70.0 - 20.0 * t))); }
 
 /// The same surface, but for little, run through so that its lines across end where the side of the second patch begins.
-NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbor& from, LoftNeighbor to, const SeamTurn& turn) {
+NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbor& from, LoftNeighbor to, const SeamTurn& turn, bool is_calm) {
   constexpr int kLeast = 8;
   constexpr double kMore = 24.0;     // sections for a whole turn
   constexpr double kMoved = 0x1p-14;  // of the size, for few knots
@@ -69,6 +69,7 @@ NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbor& from, Lof
   const int count = kLeast + static_cast<int>(std::ceil(kMore * std::abs(turn.later)));
   LoftOptions options;
   options.is_aligned = false;
+  options.is_calm = is_calm;
   options.tolerance = kMoved * extent(blend.points());
   options.degree = std::max(from.continuity, to.continuity) > 2 ? 5 : 3;
   options.parameters = {0.0};
@@ -90,14 +91,15 @@ NurbsPatch turned_to_seam(const NurbsPatch& blend, const LoftNeighbor& from, Lof
 
 }  // namespace
 
-NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned) {
+NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned, bool is_calm) {
   LoftOptions options;
   options.is_aligned = is_aligned;
+  options.is_calm = is_calm;
   options.start.neighbor = from;
   options.end.neighbor = to;
   NurbsPatch made = loft({}, options).value;
   if (is_aligned) {
-    if (const auto turn = turn_at_end(made, to)) made = turned_to_seam(made, from, to, *turn);
+    if (const auto turn = turn_at_end(made, to)) made = turned_to_seam(made, from, to, *turn, is_calm);
   }
   require_continuity(made, Border::v_start, from, "the first patch");
   require_continuity(made, Border::v_end, to, "the second patch");

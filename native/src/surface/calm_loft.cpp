@@ -64,21 +64,24 @@ double most_reach(LoftOptions options, const MadeLoft& make) {
 
 }  // namespace
 
-Approximation<NurbsPatch> calm_loft(LoftOptions options, const MadeLoft& make) {
-  constexpr int kHalvings = 8;
+LoftSurface calm_loft(LoftOptions options, const MadeLoft& make) {
+  const int halvings = options.is_calm ? 8 : 0;
+  const auto told = [](Approximation<NurbsPatch> made, double part) {
+    return LoftSurface{std::move(made.value), made.error, part};
+  };
   const std::vector<LoftNeighbor*> neighbors = followed(options);
-  if (neighbors.empty()) return make(options);
+  if (neighbors.empty()) return told(make(options), 1.0);
   const bool are_bent = std::ranges::any_of(neighbors, [](const LoftNeighbor* one) { return one->continuity > 1; });
   std::exception_ptr refusal;
   std::optional<double> most;
   double reach = 0.0;
-  for (int i = 0; i <= kHalvings; ++i) {
+  for (int i = 0; i <= halvings; ++i) {
     try {
       Approximation<NurbsPatch> made = make(options);
-      if (!are_bent) return made;
+      if (!are_bent) return told(std::move(made), std::ldexp(1.0, -i));
       if (!most) most = most_reach(options, make);
       reach = reach_of(made.value);
-      if (reach <= *most) return made;
+      if (reach <= *most) return told(std::move(made), std::ldexp(1.0, -i));
     } catch (const InvalidShape&) {
       if (!refusal) refusal = std::current_exception();
     }

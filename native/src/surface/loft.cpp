@@ -208,7 +208,7 @@ Approximation<NurbsPatch> lofted(std::span<const LoftSection> sections, const Lo
 
 }  // namespace
 
-Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options) {
+LoftSurface loft(std::span<const LoftSection> sections, const LoftOptions& options) {
   require_options(sections, options);
   return calm_loft(options, [&](const LoftOptions& calmer) { return lofted(sections, calmer); });
 }

@@ -54,9 +54,15 @@ def _short(number):
 
 def _blend(inputs, continuity, first_side, second_side, first_strength, second_strength):
     a, side_a, b, side_b = _sides(inputs, first_side, second_side)
-    made = sc.build.blend_patches(a, side_a, b, side_b, continuity, (first_strength, second_strength))
+    asked = a, side_a, b, side_b, continuity, (first_strength, second_strength)
+    calmed = ""
+    try:
+        made = sc.build.blend_patches(*asked, calm=False)
+    except sc.InvalidShape:
+        made = sc.build.blend_patches(*asked)
+        calmed = "; it follows them with less strength: with more it would shoot out"
     said = " and ".join(_measured(*edge) for edge in ((a, side_a, made, 'v_start'), (b, side_b, made, 'v_end')))
-    return Result(made, 0.0, said)
+    return Result(made, 0.0, said + calmed)
 
 
 def _matched(inputs, continuity, first_side, second_side, rows, strength, both, cancel=None):

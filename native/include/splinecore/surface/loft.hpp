@@ -44,9 +44,7 @@ struct LoftNeighbor {
   NurbsPatch patch;
   Border side;
   int continuity = 1;     ///< 1: with its tangent planes, 2: and curvatures, 3: and how these change; 0: with its side alone
-  /// How far it follows the patch: its speed by that of the loft elsewhere. Where with curvatures the loft would shoot out to three times
-  /// as far as with tangent planes alone, or weights would not stay positive, half of that, or a quarter, to a 256th.
-  double strength = 1.0;
+  double strength = 1.0;  ///< how far it follows the patch: its speed by that of the loft elsewhere
 };
 
 /// How a loft begins or ends. One of these at most.
@@ -70,8 +68,18 @@ struct LoftOptions {
   std::optional<double> tolerance;
   std::vector<double> parameters;   ///< along v, one for each section, and where closed one more; empty: by style
   std::vector<double> knots;        ///< along v, all, one period where closed; empty: averages of parameters
+  /// Where with curvatures of neighbors the loft would shoot out to three times as far as with tangent planes alone, or weights would not
+  /// stay positive, it follows them with half of their strengths, or a quarter, to a 256th; else it is refused.
+  bool is_calm = true;
   LoftEnd start;
   LoftEnd end;
+};
+
+/// The surface through sections, and what was found of it.
+struct LoftSurface {
+  NurbsPatch value;
+  double error = 0.0;     ///< how far it is from the sections
+  double followed = 1.0;  ///< the part of their strengths with which it follows its neighbors: less than 1 where it had to be calmed
 };
 
 /// The surface through sections: u along them, v from one to the next (skinning: The NURBS Book, 10.3; row S20).
@@ -90,7 +98,7 @@ struct LoftOptions {
 ///         neighbor's side lies at infinity, closed ones come back turned, knots that sections do not share would make more
 ///         than 2^20 control points, or degree and parameters take the surface so far away between sections that it would miss
 ///         one by more than the tolerance, or 2^-20 of the size; ToleranceNotReached.
-Approximation<NurbsPatch> loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
+LoftSurface loft(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
 /// How many corners each section of a loft has, those of neighbors' sides among them, where they are to be matched: all breaks
 /// of the tangent if all have as many of these, else those of more than 0.02 radians. A point has none; the seam of closed
@@ -103,8 +111,9 @@ std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, co
 ///                    other. Both keep their beginnings, so that edges stay edges: where these do not lie beside each other, lines
 ///                    across lead from one to the other over several spans, and the surface is near the untwisted one: by hundredths
 ///                    of the radius of round sides
+/// @param is_calm     with less than their strengths where it would shoot out, as loft() says how much less
 /// @throws InvalidShape as loft() does; ToleranceNotReached where rounding leaves it off the tangent planes
 ///         by more than 1e-4 radians, or off the curvatures by more than a thousandth of the largest
-NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned = true);
+NurbsPatch blend(const LoftNeighbor& from, const LoftNeighbor& to, bool is_aligned = true, bool is_calm = true);
 
 }  // namespace splinecore
