@@ -1,8 +1,10 @@
 #include "wrong_calls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -135,6 +137,32 @@ std::string trouble_with(const Signature& signature, const py::args& given, std:
                        list_of(signature));
 }
 
+/// Arguments as they were spelled before version 0.1, and as they are now.
+constexpr std::array<std::array<const char*, 2>, 3> kSpellings{
+    {{"neighbour", "neighbor"}, {"centre", "center"}, {"parametrisation", "parameterization"}}};
+
+std::string spelled_now(std::string name) {
+  for (const auto& [before, now] : kSpellings) {
+    const std::size_t at = name.find(before);
+    if (at != std::string::npos) name.replace(at, std::strlen(before), now);
+  }
+  return name;
+}
+
+/// The arguments by name as they are spelled now; none where no name changes to one that the function has.
+std::optional<py::dict> respelled(const Signature& signature, const py::kwargs& named) {
+  py::dict arguments;
+  bool has_changed = false;
+  for (const auto& [key, value] : named) {
+    const std::string name = py::str(key);
+    const std::string now = spelled_now(name);
+    const bool is_known = std::ranges::find(signature.parameters, now, &Parameter::name) != signature.parameters.end();
+    has_changed = has_changed || (now != name && is_known && !named.contains(now.c_str()));
+    arguments[py::str(now)] = value;
+  }
+  return has_changed ? std::optional(arguments) : std::nullopt;
+}
+
 char* copy_of(const std::string& text) {
   auto* copy = static_cast<char*>(std::malloc(text.size() + 1));
   if (copy == nullptr) throw std::bad_alloc();
@@ -150,22 +178,27 @@ void explain(const py::object& scope, const std::string& name, const py::handle&
   if (definition->ml_doc == nullptr || std::strchr(definition->ml_doc, '(') == nullptr) return;
   const std::string documentation = definition->ml_doc;
   const bool is_in_class = PyType_Check(scope.ptr()) != 0;
-  const std::string owner = is_in_class ? std::string(py::str(scope.attr("__name__"))) : "";
-  const std::string shown = form == Form::constructor ? owner : is_in_class ? owner + "." + name : name;
+  const std::string class_name = is_in_class ? std::string(py::str(scope.attr("__name__"))) : "";
+  const std::string shown = form == Form::constructor ? class_name : is_in_class ? class_name + "." + name : name;
   const Signature signature = signature_of(shown, documentation, form != Form::function);
   const py::sibling before(function);
   if (form == Form::constructor) {
     py::cpp_function([signature](py::detail::value_and_holder&, const py::args& given, const py::kwargs& named) {
       refuse(signature, given, 0, named);
     }, py::name(name.c_str()), py::is_method(scope), before, py::detail::is_new_style_constructor());
-  } else if (form == Form::method) {
-    py::cpp_function([signature](const py::args& given, const py::kwargs& named) -> py::object {
-      refuse(signature, given, 1, named);
-    }, py::name(name.c_str()), py::is_method(scope), before);
   } else {
-    py::cpp_function([signature](const py::args& given, const py::kwargs& named) -> py::object {
-      refuse(signature, given, 0, named);
-    }, py::name(name.c_str()), py::scope(scope), before);
+    // The scope outlives its functions.
+    const auto call = [signature, name, owner = py::handle(scope), from = form == Form::method ? 1U : 0U](
+                          const py::args& given, const py::kwargs& named) -> py::object {
+      const std::optional<py::dict> now = respelled(signature, named);
+      if (now) return owner.attr(name.c_str())(*given, **py::kwargs(*now));
+      refuse(signature, given, from, named);
+    };
+    if (form == Form::method) {
+      py::cpp_function(call, py::name(name.c_str()), py::is_method(scope), before);
+    } else {
+      py::cpp_function(call, py::name(name.c_str()), py::scope(scope), before);
+    }
   }
   std::free(const_cast<char*>(definition->ml_doc));  // pybind11 has allocated it, and frees the new one
   definition->ml_doc = copy_of(documentation);

@@ -113,3 +113,15 @@ def test_documentation_and_equality_stay():
 def test_a_method_called_without_an_object_misses_it():
     with pytest.raises(TypeError, match=r"NurbsCurve.evaluate\(\) misses self"):
         sc.NurbsCurve.evaluate()
+
+
+def test_arguments_are_understood_as_they_were_spelled_before():
+    build = sc.build
+    assert build.sphere(centre=(0, 0, 0), radius=1.0) == build.sphere(center=(0, 0, 0), radius=1.0)
+    patch = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0.5)]])
+    line = sc.BezierCurve([(2, 0, 1), (2, 1, 1)])
+    made = [build.loft([line], **{name: (patch, "u_end", "G1")}).value for name in ("start_neighbour", "start_neighbor")]
+    assert made[0] == made[1]
+    for wrong in ({"centre": (0, 0, 0), "center": (0, 0, 0), "radius": 1.0}, {"neighbours": 3, "center": (0, 0, 0), "radius": 1.0}):
+        with pytest.raises(TypeError, match="has no argument"):
+            build.sphere(**wrong)

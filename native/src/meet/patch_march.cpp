@@ -228,7 +228,7 @@ class March {
       return true;
     }
     const SectionPlace& begin = trace_.places.front();
-    if (begin.has_pieces_of(step.to) || !goes_along(step, begin)) return false;
+    if (begin.has_pieces_of(step.to) || !step.passes(begin, kSame, kTurn)) return false;
     // It was begun on the side of a piece that the curve does not run in.
     const bool is_at_start = glm::distance(step.from.point, begin.point) <= kSame;
     if (!is_at_start && glm::distance(step.to.point, begin.point) > kSame) return false;
@@ -236,19 +236,12 @@ class March {
     return trace_.is_closed = true;
   }
 
-  /// Whether a place lies between the ends of a step, seen along it, and the curve goes the same way there.
-  static bool goes_along(const SectionStep& step, const SectionPlace& place) {
-    const double along = glm::dot(place.point - step.from.point, step.from.tangent);
-    if (along < -kSame || along > glm::dot(step.to.point - step.from.point, step.from.tangent) + kSame) return false;
-    return glm::dot(place.tangent, step.from.tangent) >= kTurn;
-  }
-
   /// The place that a step passes, of those that the curve was begun at or came into the same pieces at.
   std::optional<std::size_t> passed_before(const SectionStep& step) const {
     const auto is_passed = [&](std::size_t i) {
       constexpr double kBeside = 0.05;
       const SectionPlace& place = trace_.places[i];
-      if (i + 1 >= trace_.places.size() || !place.has_pieces_of(step.to) || !goes_along(step, place)) return false;
+      if (i + 1 >= trace_.places.size() || !place.has_pieces_of(step.to) || !step.passes(place, kSame, kTurn)) return false;
       const double along = glm::dot(place.point - step.from.point, step.from.tangent);
       const glm::dvec3 beside = step.point(std::clamp(along / step.length, 0.0, 1.0));
       return glm::distance(beside, place.point) <= kBeside * step.length + kSame &&
@@ -291,7 +284,7 @@ class March {
       trace_.places.push_back(*first);
       hops_ = 0;
       // It was beyond the side by less than the tolerance, and comes back there.
-      if (!runs_out(last(), through, is_at_end(out[through]))) return true;
+      if (!last().runs_out(through, is_at_end(out[through]))) return true;
     } else {
       trace_.places.back().at[through] = first->at[through];
     }
@@ -307,7 +300,7 @@ class March {
     double most = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (out[i] >= -kOnSide && out[i] <= 1.0 + kOnSide) continue;
-      if (!is_on_face(i, out) || !runs_out(last(), i, is_at_end(out[i]))) continue;
+      if (!is_on_face(i, out) || !last().runs_out(i, is_at_end(out[i]))) continue;
       const double speed = is_at_end(out[i]) ? last().slopes[i] : -last().slopes[i];
       if (found && speed <= most) continue;
       found = i;
@@ -323,12 +316,6 @@ class March {
       if (piece_of(i).is_pole(piece_at(i), side(i, is_at_end(out[i])))) return true;
     }
     return false;
-  }
-
-  /// Whether a parameter goes to a side, or along it.
-  static bool runs_out(const SectionPlace& place, std::size_t i, bool to_end) {
-    constexpr double kAlong = 1e-3;
-    return (to_end ? place.slopes[i] : -place.slopes[i]) > -kAlong;
   }
 
   /// Whether the last place is on the side that the next one is beyond, which a curve may leave at any angle.
@@ -411,7 +398,7 @@ class March {
     const std::optional<SectionPlace> there = place(at);
     if (!there) return lose();
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
-    if (!runs_out(*there, i, is_end)) return contact_.kind == PatchContact::Kind::crossing ? false : lose();
+    if (!there->runs_out(i, is_end)) return contact_.kind == PatchContact::Kind::crossing ? false : lose();
     if (is_known_ && is_known_(*there)) return false;
     if (const auto before = visit_before(*there)) return end_at_itself(*before);
     visits_[{at.a.piece, at.b.piece}].push_back({trace_.places.size(), traveled_});

@@ -96,4 +96,10 @@ bool SectionStep::is_near(const glm::dvec3& place, double distance) const noexce
   return glm::distance(point(s), place) <= distance;
 }
 
+bool SectionStep::passes(const SectionPlace& place, double distance, double cosine) const noexcept {
+  const double along = glm::dot(place.point - from.point, from.tangent);
+  if (along < -distance || along > glm::dot(to.point - from.point, from.tangent) + distance) return false;
+  return glm::dot(place.tangent, from.tangent) >= cosine;
+}
+
 }  // namespace splinecore

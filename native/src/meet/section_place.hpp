@@ -27,6 +27,12 @@ struct SectionPlace {
     return found;
   }
 
+  /// Whether a parameter goes to a side, or along it.
+  bool runs_out(std::size_t i, bool to_end) const noexcept {
+    constexpr double kAlong = 1e-3;
+    return (to_end ? slopes[i] : -slopes[i]) > -kAlong;
+  }
+
   bool has_pieces_of(const SectionPlace& other) const noexcept {
     return at.a.piece == other.at.a.piece && at.b.piece == other.at.b.piece;
   }
@@ -71,6 +77,10 @@ struct SectionStep {
 
   /// Whether it comes so near to a point.
   bool is_near(const glm::dvec3& place, double distance) const noexcept;
+
+  /// Whether a place lies between its ends, seen along it and but for a distance, and the curve goes the same way there.
+  /// @param cosine  of the largest angle between both ways
+  bool passes(const SectionPlace& place, double distance, double cosine) const noexcept;
 
   const SectionPlace& from;
   const SectionPlace& to;
