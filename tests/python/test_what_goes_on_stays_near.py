@@ -119,7 +119,7 @@ def test_a_loft_says_with_how_much_of_the_strength_it_follows(inputs):
         strength, word = float(10**rng.uniform(-0.5, 0.5)), str(rng.choice(["G1", "G2", "G3"]))
 
         def made(part, **options):
-            return build.loft([], start_neighbour=(a, side_a, word, part * strength), end_neighbour=(b, side_b, word, part * strength), **options)
+            return build.loft([], start_neighbor=(a, side_a, word, part * strength), end_neighbor=(b, side_b, word, part * strength), **options)
 
         try:
             found = made(1)

@@ -147,7 +147,7 @@ class SubdivisionPatches:
 
 @final
 class LoftSurface:
-    """The surface through sections, how far it is from them, and with which part of their strengths it follows its neighbours."""
+    """The surface through sections, how far it is from them, and with which part of their strengths it follows its neighbors."""
 
     @property
     def value(self) -> NurbsPatch: ...

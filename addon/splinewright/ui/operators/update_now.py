@@ -10,7 +10,7 @@ from .selected import OnSelected
 class SPLINEWRIGHT_OT_update_now(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.update_now"
     bl_label = "Update Now"
-    bl_description = "Make the selected shapes anew from their inputs as they are now"
+    bl_description = "Make the selected shapes again from their inputs as they are now"
     needs = "Select a shape whose inputs changed since it was updated"
     done = "Updated {}"
 
