@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "base/length.hpp"
 #include "curve_ends.hpp"
-#include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/build/corners.hpp"
 #include "splinecore/build/extend.hpp"
@@ -24,11 +26,14 @@ NurbsCurve longer_at_ends(const NurbsCurve& curve, double by) {
   return extended(extended(curve, false, by, Extension::straight), true, by, Extension::straight);
 }
 
-/// How far a place of both curves is from what is kept, as parts of their domains.
-double away_from(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& at,
-                 const std::array<double, 2>& kept) {
-  return std::abs(at[0] - kept[0]) / a.domain().length() + std::abs(at[1] - kept[1]) / b.domain().length();
-}
+/// A parameter of each curve, about which they are kept, and how long their own domains are.
+struct KeptPlaces {
+  std::array<double, 2> at;
+  std::array<double, 2> lengths;
+
+  /// How far a place of both curves is from there, as parts of their domains.
+  double away(double a, double b) const { return std::abs(a - at[0]) / lengths[0] + std::abs(b - at[1]) / lengths[1]; }
+};
 
 /// Whether nothing is left of a curve up to a cut, or behind it; never of a closed one, which is not cut.
 bool is_taken_whole(const NurbsCurve& curve, double cut, bool is_left_before) {
@@ -38,17 +43,17 @@ bool is_taken_whole(const NurbsCurve& curve, double cut, bool is_left_before) {
 
 /// The fillet that leaves what is kept, the nearest one; or else one that takes a curve whole.
 std::optional<Fillet> fillet_beside(const NurbsCurve& a, const NurbsCurve& b, double radius,
-                                    const std::array<double, 2>& kept, const glm::dvec3& normal) {
+                                    const KeptPlaces& kept, const glm::dvec3& normal) {
   std::optional<Fillet> found;
   bool takes_one = false;
   double least = 0.0;
   for (const Fillet& fillet : fillets(a, b, radius, normal)) {
     const bool takes_a = is_taken_whole(a, fillet.a, fillet.goes_on_a);
     const bool takes_b = is_taken_whole(b, fillet.b, !fillet.goes_on_b);
-    const bool leaves_a = takes_a || is_closed(a) || fillet.goes_on_a == (kept[0] < fillet.a);
-    const bool leaves_b = takes_b || is_closed(b) || fillet.goes_on_b == (kept[1] > fillet.b);
+    const bool leaves_a = takes_a || is_closed(a) || fillet.goes_on_a == (kept.at[0] < fillet.a);
+    const bool leaves_b = takes_b || is_closed(b) || fillet.goes_on_b == (kept.at[1] > fillet.b);
     if (!leaves_a || !leaves_b) continue;
-    const double away = away_from(a, b, {fillet.a, fillet.b}, kept);
+    const double away = kept.away(fillet.a, fillet.b);
     const bool takes = takes_a || takes_b;
     if (found && (takes != takes_one ? takes : away >= least)) continue;
     found = fillet;
@@ -66,13 +71,12 @@ std::optional<NurbsCurve> kept_part(const NurbsCurve& curve, const NurbsCurve& l
   return is_before ? part(longer, domain.start, cut) : part(longer, cut, domain.end);
 }
 
-std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsCurve& b,
-                                               const std::array<double, 2>& kept) {
+std::optional<CurveIntersection> corner_beside(const NurbsCurve& a, const NurbsCurve& b, const KeptPlaces& kept) {
   const CurveIntersections both = intersections(a, b);
   if (!both.overlaps.empty()) throw InvalidShape("the curves coincide along a segment: they make no corner");
   std::optional<CurveIntersection> found;
   for (const CurveIntersection& place : both.places) {
-    if (found && away_from(a, b, {place.a, place.b}, kept) >= away_from(a, b, {found->a, found->b}, kept)) continue;
+    if (found && kept.away(place.a, place.b) >= kept.away(found->a, found->b)) continue;
     found = place;
   }
   return found;
@@ -86,8 +90,19 @@ double parameter_towards(const NurbsCurve& curve, double corner, double length, 
   return *found;
 }
 
+/// Twice as far as the control points are apart at least, which turning both does not change.
 double size_of_both(const NurbsCurve& a, const NurbsCurve& b) {
-  return 2.0 * NearSpace(together(a.points(), b.points())).length(1.0);
+  std::vector<glm::dvec3> places;
+  for (const NurbsCurve* const curve : {&a, &b}) {
+    for (const glm::dvec4& point : curve->points()) {
+      if (point.w != 0.0) places.emplace_back(point);
+    }
+  }
+  glm::dvec3 middle(0.0);
+  for (const glm::dvec3& place : places) middle += place / static_cast<double>(places.size());
+  double farthest = 0.0;
+  for (const glm::dvec3& place : places) farthest = std::max(farthest, distance_of(place, middle));
+  return 4.0 * farthest;
 }
 
 void require_inside(const NurbsCurve& curve, double u) {
@@ -95,14 +110,19 @@ void require_inside(const NurbsCurve& curve, double u) {
   throw InvalidShape("kept = " + text_of(u) + " is outside of the curve's domain");
 }
 
+KeptPlaces kept_places(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& kept) {
+  require_inside(a, kept[0]);
+  require_inside(b, kept[1]);
+  return {kept, {a.domain().length(), b.domain().length()}};
+}
+
 }  // namespace
 
 CornerBetween filleted(const NurbsCurve& a, const NurbsCurve& b, double radius, const std::array<double, 2>& kept,
                        const glm::dvec3& normal) {
-  require_inside(a, kept[0]);
-  require_inside(b, kept[1]);
+  const KeptPlaces places = kept_places(a, b, kept);
   const auto made = [&](const NurbsCurve& of_a, const NurbsCurve& of_b) -> std::optional<CornerBetween> {
-    const std::optional<Fillet> fillet = fillet_beside(of_a, of_b, radius, kept, normal);
+    const std::optional<Fillet> fillet = fillet_beside(of_a, of_b, radius, places, normal);
     if (!fillet) return {};
     return CornerBetween{kept_part(a, of_a, fillet->a, fillet->goes_on_a), fillet->arc,
                          kept_part(b, of_b, fillet->b, !fillet->goes_on_b)};
@@ -115,14 +135,13 @@ CornerBetween filleted(const NurbsCurve& a, const NurbsCurve& b, double radius, 
 
 CornerBetween chamfered(const NurbsCurve& a, const NurbsCurve& b, const std::array<double, 2>& lengths,
                         const std::array<double, 2>& kept) {
-  require_inside(a, kept[0]);
-  require_inside(b, kept[1]);
+  const KeptPlaces places = kept_places(a, b, kept);
   for (const double length : lengths) {
     if (!(length >= 0.0) || !std::isfinite(length)) throw InvalidShape("a length is not 0 or more");
   }
   if (lengths[0] == 0.0 && lengths[1] == 0.0) throw InvalidShape("both lengths are 0: there is nothing to chamfer");
   const auto made = [&](const NurbsCurve& of_a, const NurbsCurve& of_b) -> std::optional<CornerBetween> {
-    const std::optional<CurveIntersection> corner = corner_beside(of_a, of_b, kept);
+    const std::optional<CurveIntersection> corner = corner_beside(of_a, of_b, places);
     if (!corner) return {};
     const double on_a = parameter_towards(of_a, corner->a, lengths[0], kept[0]);
     const double on_b = parameter_towards(of_b, corner->b, lengths[1], kept[1]);

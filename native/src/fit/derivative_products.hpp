@@ -14,7 +14,7 @@ struct ProductBand {
   explicit ProductBand(const KnotVector& knots);
 
   double at(std::size_t i, std::size_t k) const noexcept { return values[i * width + k]; }
-  std::size_t partner(std::size_t i, std::size_t k) const noexcept { return (i + k + count - degree) % count; }
+  std::size_t partner(std::size_t i, std::size_t k) const noexcept { return (i + k + degree * (count - 1)) % count; }
   bool has(std::size_t i, std::size_t k) const noexcept {
     return is_periodic || (i + k >= degree && i + k < count + degree);
   }

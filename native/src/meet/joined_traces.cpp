@@ -111,10 +111,7 @@ class TraceJoints {
     std::vector<SectionPlace> more = traces_[end / 2].places;
     if (end % 2 == 1) {
       std::ranges::reverse(more);
-      for (SectionPlace& at : more) {
-        at.tangent = -at.tangent;
-        for (double& slope : at.slopes) slope = -slope;
-      }
+      for (SectionPlace& at : more) at = at.backwards();
     }
     if (!places.empty()) {
       if (more.front().has_pieces_of(places.back())) places.pop_back();

@@ -52,12 +52,7 @@ class March {
 
   const SectionPlace& last() const { return trace_.places.back(); }
 
-  SectionPlace turned(SectionPlace place) const {
-    if (way_ > 0.0) return place;
-    place.tangent = -place.tangent;
-    for (double& slope : place.slopes) slope = -slope;
-    return place;
-  }
+  SectionPlace turned(const SectionPlace& place) const { return way_ > 0.0 ? place : place.backwards(); }
 
   std::optional<SectionPlace> place(const PatchSpots& at) const {
     if (contact_.kind != PatchContact::Kind::crossing) {
@@ -108,11 +103,8 @@ class March {
     return false;
   }
 
-  /// The curve is given up. @returns false
-  bool lose() {
-    is_lost_ = true;
-    return false;
-  }
+  /// @returns false
+  bool lose() { return !(is_lost_ = true); }
 
   /// Whether a curve along which patches touch has come to where they part by more than the tolerance.
   bool parts() const {
@@ -485,11 +477,7 @@ SectionTrace traced(const TwoPatches& patches, const SectionPlace& seed, const M
   if (forward.is_closed) return forward;
   SectionTrace back = March(patches, seed, -1.0, limits).done();
   std::vector<SectionPlace> places;
-  for (auto place = back.places.rbegin(); place != back.places.rend(); ++place) {
-    place->tangent = -place->tangent;
-    for (double& slope : place->slopes) slope = -slope;
-    places.push_back(*place);
-  }
+  for (auto place = back.places.rbegin(); place != back.places.rend(); ++place) places.push_back(place->backwards());
   if (back.is_closed) return {std::move(places), true};
   places.insert(places.end(), forward.places.begin() + 1, forward.places.end());
   return {std::move(places), false, {back.is_lost[1], forward.is_lost[1]}};

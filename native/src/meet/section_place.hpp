@@ -33,6 +33,14 @@ struct SectionPlace {
     return (to_end ? slopes[i] : -slopes[i]) > -kAlong;
   }
 
+  /// The same place of the curve run through the other way.
+  SectionPlace backwards() const noexcept {
+    SectionPlace turned = *this;
+    turned.tangent = -tangent;
+    for (double& slope : turned.slopes) slope = -slope;
+    return turned;
+  }
+
   bool has_pieces_of(const SectionPlace& other) const noexcept {
     return at.a.piece == other.at.a.piece && at.b.piece == other.at.b.piece;
   }
