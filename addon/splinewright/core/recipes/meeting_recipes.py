@@ -230,7 +230,7 @@ WHERE_SURFACES_MEET = (
            _planes, resolution=12, inputs=(wanted.ONE_SURFACE,), frame="Along", takes_cancel=True,
            first_values=_first_planes),
     Recipe("on_patch", "Curve on Patch",
-           "A live curve on a patch: x and y of a plane curve become u and v, or with a distance",
+           "A live curve on a patch, whose u and v are x and y of a plane curve",
            (Parameter("distance", "Distance", "From the patch along its normals", 0.0, unit='LENGTH'),
             Parameter("unit", "Unit Square", "Map 0 to 1 of the plane to the whole domain; otherwise x and y are u and v", True),
             Parameter("piece", "Piece", "Which patch of the surface, counted from 1", 1, 1), _OWN_TOLERANCE),

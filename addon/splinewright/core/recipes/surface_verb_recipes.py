@@ -198,8 +198,8 @@ RECIPES = (
            "Live surfaces with rounded edges, as a rolling ball makes them: where two surfaces meet, or edges of one",
            (_radius("radius", "Radius", "Of the ball, where the edge starts"), _radius("end_radius", "End Radius", "Where it ends", "radius"),
             _side("first_side", "First Side", "first"), _side("second_side", "Second Side", "second"),
-            Parameter("edges", "Edges", "Numbers of edges to round, such as 1, 4-6; none: the edge in which two surfaces "
-                                        "meet, or all edges of one", ""), _TOLERANCE),
+            Parameter("edges", "Edges", "Numbers of edges to round, such as 1, 4-6; none: where two surfaces meet, or all "
+                                        "edges", ""), _TOLERANCE),
            _rounded, is_surface=True, covers_inputs=True, resolution=8, inputs=(wanted.SURFACES,), has_more=True, is_measured=True,
            takes_cancel=True),
     Recipe("offset_surface", "Offset Surface", "The surface at a distance from another one, along its normals; it is live",
