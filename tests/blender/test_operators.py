@@ -12,19 +12,12 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-<<<<<<< HEAD
 VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Choose', 'Clamp', 'Clear', 'Convert',
          'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
-         'Fill', 'Fillet', 'Finish', 'Fit', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
+         'Fill', 'Fillet', 'Finish', 'Fit', 'Flip', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
          'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',
-         'Remove', 'Reparameterize', 'Restore', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split',
-         'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update',
-=======
-VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Clamp', 'Clear', 'Convert', 'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract',
-         'Extrude', 'Fair', 'Fill', 'Fillet', 'Finish', 'Fit', 'Flip', 'Import', 'Insert', 'Join', 'Leave', 'Lock', 'Loft', 'Make', 'Mark', 'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 
-         'Rebuild', 'Reduce', 'Reload', 'Remove', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort', 'Split', 'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock',
->>>>>>> s3
-         'Write'}
+         'Remove', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort',
+         'Split', 'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update', 'Write'}
 
 
 def kind_of(name):
