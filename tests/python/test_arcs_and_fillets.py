@@ -62,11 +62,11 @@ def test_arcs_about_a_center():
 
 def test_bad_arcs():
     for call, match in ((lambda: conics.arc_through((0, 0, 0), (1, 1, 1), (2, 2, 2)), "on one line"),
-                        (lambda: conics.arc_through((0, 0, 0), (0, 0, 0), (2, 2, 2)), "are one"),
+                        (lambda: conics.arc_through((0, 0, 0), (0, 0, 0), (2, 2, 2)), "coincide"),
                         (lambda: conics.arc_through((0, 0, 0), (1, np.nan, 0), (2, 2, 2)), "not finite"),
                         (lambda: conics.arc_from_tangent((0, 0, 0), (1, 1, 0), (2, 2, 0)), "line between"),
                         (lambda: conics.arc_from_tangent((0, 0, 0), (0, 0, 0), (2, 2, 0)), "direction is zero"),
-                        (lambda: conics.arc_from_tangent((1, 0, 0), (0, 1, 0), (1, 0, 0)), "are one"),
+                        (lambda: conics.arc_from_tangent((1, 0, 0), (0, 1, 0), (1, 0, 0)), "coincide"),
                         (lambda: conics.arc_about((0, 0, 0), (0, 0, 0), (1, 0, 0)), "is the center"),
                         (lambda: conics.arc_about((0, 0, 0), (0, 0, 1), (1, 0, 0)), "along the radius")):
         with pytest.raises(sc.InvalidShape, match=match):

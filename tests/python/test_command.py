@@ -190,7 +190,7 @@ def test_progress_is_on_the_error_output_where_it_is_wanted(capsys, file):
     assert call(capsys, "compare", path, path)[2] == ""
 
 
-@pytest.mark.parametrize("content, words", [("", "a.json"), ("{", "a.json"), ("[1, 2]", "a.json"), ("\udcff", "no text")])
+@pytest.mark.parametrize("content, words", [("", "a.json"), ("{", "a.json"), ("[1, 2]", "a.json"), ("\udcff", "not a text file")])
 def test_a_damaged_file_is_told_of(capsys, tmp_path, content, words):
     path = tmp_path / "a.json"
     path.write_bytes(content.encode(errors="surrogateescape"))

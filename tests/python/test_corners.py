@@ -159,7 +159,7 @@ def test_bad_calls_are_refused():
         (lambda: build.filleted(a, b, 0.5, (0, 0, 0)), "3 numbers"),
         (lambda: build.filleted(a, line((0, 1), (1, 1)), 3, (0.5, 0.5)), "touches both|no arc"),
         (lambda: build.filleted(a, line((0, 0, 1), (0, 1, 2)), 0.1, (0.5, 0.5)), "plane"),
-        (lambda: build.chamfered(a, a, (1, 1), (0.1, 0.9)), "one along a stretch"),
+        (lambda: build.chamfered(a, a, (1, 1), (0.1, 0.9)), "coincide along a segment"),
         (lambda: build.filleted(a, a, 0.5, (0.1, 0.9)), "no arc of radius 0.5"),
         (lambda: build.filleted(a, line((1, 1), (1, 1)), 0.5, (0.1, 0.9)), "is a point"),
         (lambda: build.chamfered(a, b, (0, 0), (0, 0)), "both lengths are 0"),

@@ -148,7 +148,7 @@ def test_what_is_no_chain_is_refused():
     with pytest.raises(sc.InvalidShape, match="edges 1 and 2 of the chain meet in a corner of 90 degrees"):
         build.fillet_chain(edges_of(square), 0.5)
     low = build.extrude(sc.BezierCurve([(10, 0, 0), (20, 0, 0)]), (0, 0, 2)), build.extrude(sc.BezierCurve([(10, 0, 0), (20, 0, 0)]), (0, -5, 0))
-    with pytest.raises(sc.InvalidShape, match="first patches of edges 1 and 2 do not go on"):
+    with pytest.raises(sc.InvalidShape, match="first patches of edges 1 and 2 do not continue"):
         build.fillet_chain(edges_of([pairs[0], low]), 0.5)
     with pytest.raises(sc.InvalidShape, match="no edge"):
         build.fillet_chain([], 0.5)

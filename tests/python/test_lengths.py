@@ -171,8 +171,8 @@ def ring():
 
 
 @pytest.mark.parametrize("call, message", [
-    (lambda: ring().length(8), "start = 8 is above 7, the end of the domain: an end is wanted, too"),
-    (lambda: ring().length(end=-1), "end = -1 is below 0, the start of the domain: a start is wanted, too"),
+    (lambda: ring().length(8), "start = 8 is above 7, the end of the domain: an end is needed, too"),
+    (lambda: ring().length(end=-1), "end = -1 is below 0, the start of the domain: a start is needed, too"),
     (lambda: ring().length(9, 8), "start = 9 is above end = 8"),
     (lambda: ring().length(8, 0), "start = 8 is above end = 0"),
     (lambda: turns(1).length(0, 8), "end = 8 is outside the domain [0, 4]"),

@@ -272,7 +272,7 @@ def test_a_loft_between_neighbors_goes_on_from_them():
     ([], {}, "at least 2"),
     ([circle()], {}, "at least 2"),
     ([circle(), moved(circle(), 1.0)], {"closed": True}, "at least 3"),
-    ([circle(), circle()], {}, "are one"),
+    ([circle(), circle()], {}, "are equal"),
     ([circle(), (0, 0, 1), moved(circle(), 2.0)], {}, r"sections\[1\] is a point"),
     ([(0, 0, 0), (0, 0, 1)], {}, "all sections are points"),
     ([circle(), moved(circle(), 1.0)], {"start_flat": (0, 0, 1)}, "only a section that is a point"),
