@@ -133,7 +133,7 @@ def test_a_tube_with_lids_and_surfaces_that_cross():
 
 
 @pytest.mark.parametrize('settings, message', (
-    ({'radius': 5.0}, "radius is too large"), ({'edges': "99"}, "none of number 99"), ({'edges': "a"}, "no number of an edge"),
+    ({'radius': 5.0}, "radius is too large"), ({'edges': "99"}, "none of number 99"), ({'edges': "a"}, "not a number of an edge"),
     ({'radius': 0.1, 'end_radius': 0.2}, "Radius and End Radius are one")))
 def test_what_cannot_be_rounded_is_said_and_all_stays(settings, message):
     source = add(box(), "box")

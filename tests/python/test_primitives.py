@@ -194,7 +194,7 @@ NAN = float("nan")
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 1, sweep=6.5), "sweep = 6.5 is zero or more than a whole turn"),
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 1, start=math.inf), "start"),
     (lambda: build.cone((0, 0, 0), (0, 0, 1), 0, 1), "both 0"),
-    (lambda: build.cone((0, 0, 0), (0, 0, 1), 1, 1, top_radius=-1), "top_radius = -1 is no length"),
+    (lambda: build.cone((0, 0, 0), (0, 0, 1), 1, 1, top_radius=-1), "top_radius = -1 is not a length"),
     (lambda: build.torus((0, 0, 0), (0, 0, 1), 1, 0), "tube_radius = 0 is not a positive length"),
     (lambda: build.torus((0, 0, 0), (0, 0, 1), 1e308, 1e308), "is not finite"),
     (lambda: build.disc((0, 0, 0), (0, 0, 0), 1), "axis has no direction: its length is 0"),
