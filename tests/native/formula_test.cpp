@@ -87,7 +87,7 @@ TEST(Formula, RefusesWhatIsNoFormulaAndNamesThePlace) {
   EXPECT_EQ(problem_of("sin t"), "0: the function 'sin' needs its argument in parentheses");
   EXPECT_EQ(problem_of("1 + max(t)"), "4: the function 'max' takes 2 arguments and is given 1");
   EXPECT_EQ(problem_of("sin()"), "0: the function 'sin' takes 1 argument and is given 0");
-  EXPECT_EQ(problem_of("1..2"), "2: a number has two points");
+  EXPECT_EQ(problem_of("1..2"), "2: a number has two decimal points");
   EXPECT_EQ(problem_of("1e999"), "0: the number '1e999' is outside the range of float64");
   EXPECT_EQ(problem_of("0x10"), "1: an operator, perhaps *, is missing before 'x10'");
   EXPECT_EQ(problem_of("1 + \xC3\xA9"), "4: unexpected '\xC3\xA9'");

@@ -141,7 +141,7 @@ TEST(Primitives, WrongNumbersAreNamed) {
   EXPECT_EQ(refusal([&] { sphere({0, 0, inf}, 1.0); }), "center.z = inf is not finite");
   EXPECT_EQ(refusal([&] { cylinder(zero, up, 1.0, 0.0); }), "height = 0 is not a positive length");
   EXPECT_EQ(refusal([&] { cylinder(zero, up, inf, 1.0); }), "radius = inf is not a positive length");
-  EXPECT_EQ(refusal([&] { cone(zero, up, -1.0, 1.0); }), "radius = -1 is no length");
+  EXPECT_EQ(refusal([&] { cone(zero, up, -1.0, 1.0); }), "radius = -1 is not a length");
   EXPECT_EQ(refusal([&] { cone(zero, up, 0.0, 1.0); }), "radius and top_radius are both 0: the cone is a line");
   EXPECT_EQ(refusal([&] { torus(zero, up, 0.0, 1.0); }), "ring_radius = 0 is not a positive length");
   EXPECT_EQ(refusal([&] { torus(zero, up, 1.0, 1.0, {inf, 1.0}); }), "start = inf is not finite");

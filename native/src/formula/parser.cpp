@@ -173,7 +173,7 @@ void Parser::number() {
     throw FormulaError("the number " + quoted({start, end}) + " is outside the range of float64", place_);
   }
   place_ += end - start;
-  if (place_ < text_.size() && *end == '.') throw FormulaError("two points have the same number", place_);
+  if (place_ < text_.size() && *end == '.') throw FormulaError("a number has two decimal points", place_);
   program_.push({Operation::number, value});
 }
 
