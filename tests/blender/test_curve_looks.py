@@ -152,7 +152,7 @@ def drawn_by(cls, values, kinds):
             return SimpleNamespace()
     own = {key: value for key, value in vars(cls).items() if key in SHOWING}
     bases = tuple(base for base in cls.__bases__ if not issubclass(base, bpy.types.Operator))
-    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'layout': Layout(),
+    own |= {'__annotations__': dict(cls.__annotations__), **values, 'result': "", 'is_refused': False, 'layout': Layout(),
             'kinds': lambda self: kinds}
     panel = type("Panel", bases, own)()
     panel.draw(None)

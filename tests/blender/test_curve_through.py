@@ -170,7 +170,7 @@ def test_few_points_lower_the_degree_with_a_word(capfd):
     assert value(run(degree=5)).degree == 2 and "the degree is 2" in capfd.readouterr().out
 
 
-@pytest.mark.parametrize('points, chosen, word', ((PLACES, (), "no vertices"), (PLACES, (1,), "one point"),
+@pytest.mark.parametrize('points, chosen, word', ((PLACES, (), "no vertices"), (PLACES, (1,), "needs two points"),
                                                   (PLACES[[0, 0, 1, 2]], (0, 1, 2, 3), "too close")))
 def test_what_is_no_curve_is_refused_and_nothing_is_lost(points, chosen, word):
     source = mesh_object(points)

@@ -82,11 +82,11 @@ def test_a_mistake_of_ours_is_no_advice_and_stops_no_other_follower(monkeypatch,
         followers.append(bpy.context.object)
     derived = part('bridge.derived')
 
-    def broken(recipe, values, inputs, *others, work=derived.result):
+    def broken(recipe, values, inputs, *others, work=derived.work):
         if inputs[0] == sources[0]:
             raise KeyError("forgotten")
         return work(recipe, values, inputs, *others)
-    monkeypatch.setattr(derived, 'result', broken)
+    monkeypatch.setattr(derived, 'work', broken)
     for source in sources:
         source.data.splinewright.value = sc.BezierCurve(points(5))
     bpy.context.view_layer.update()

@@ -41,11 +41,12 @@ def test_what_no_setting_can_do_is_refused_by_hand_too():
         asked('make_periodic')
 
 
+@pytest.mark.parametrize('is_refused', (False, True))
 @pytest.mark.parametrize('said, word', (("Lowered the degree of shape: largest distance 0.22", "largest distance 0.22"),
                                         ("Nothing changed; shape: the ends do not meet", "do not meet")))
-def test_the_panel_of_the_last_operator_says_what_came_of_it(said, word):
+def test_the_panel_of_the_last_operator_says_what_came_of_it(said, word, is_refused):
     layout = Layout()
-    operator = SimpleNamespace(result=said, layout=layout)
+    operator = SimpleNamespace(result=said, layout=layout, is_refused=is_refused)
     part('ui.operators.selected').OnSelected.draw_result(operator)
     assert word in " ".join(layout.texts)
 

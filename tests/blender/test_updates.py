@@ -110,7 +110,7 @@ def test_what_is_slow_is_called_off_once_then_waits_until_the_mouse_rests(clock)
     for _ in range(5):
         step(source)
     assert clock.now == now and not clock.made and store.read(ob.data).pool is before
-    assert late.is_late(ob.data) and late.has_mark(ob.data) and "made anew when the mouse rests" in drawn()
+    assert late.is_late(ob.data) and late.has_mark(ob.data) and "updated when the mouse rests" in drawn()
     rest()
     require_up_to_date(ob, source)
     assert clock.made == ["curve"], "once, and not again for what was written itself"

@@ -60,7 +60,7 @@ def show(data, recipe, values, frames=(), count=0):
             group.active_input = count - 1
 
 
-def are_shown(data, recipe, count):
+def are_shown(data, recipe, count=0):
     """Whether show() ever was called for a data-block that is made from this number of objects. It was not in older files."""
     group = of(data)
     return (len(group.inputs) == (count if recipe.has_more else 0)
