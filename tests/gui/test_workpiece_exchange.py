@@ -55,7 +55,7 @@ def drawing(view):
     yield from by_keys.choose(view, *(ob.name for ob in obs))
     yield from by_keys.see_all(view)
     picture("drawing")
-    yield from by_keys.search(view, "make exact")
+    yield from by_keys.search(view, "convert to splinewright")
     yield from until(lambda: sum(map(has_shape, bpy.data.objects)) == 3, "F3 finds Convert to Splinewright")
     made = [ob for ob in bpy.data.objects if has_shape(ob)]
     assert {ob.name: [slot.name for slot in ob.data.materials] for ob in made} == materials
@@ -89,7 +89,7 @@ def of_mesh(view):
         bpy.ops.mesh.primitive_monkey_add('EXEC_DEFAULT', True, size=0.2, location=(0.1, 0.3, 0))
         NAMES['mesh'] = bpy.context.object.name
         bpy.ops.ed.undo_push(message="mesh")
-    yield from by_keys.search(view, "nurbs of mesh")
+    yield from by_keys.search(view, "nurbs from mesh")
     yield from until(lambda: bpy.context.object.name != NAMES['mesh'], "F3 finds NURBS from Mesh")
     NAMES['made'] = bpy.context.object.name
     assert part('bridge.recipes').kind(bpy.context.object.data) == 'of_mesh' and len(value('made')) > 100
@@ -101,7 +101,7 @@ def of_mesh(view):
     yield from redrawn()
     yield from by_keys.keys(view, "G X 0.4 Enter")
     yield from until(lambda: abs(bpy.context.object.matrix_world.translation.x - 0.5) < 1e-5, "G moves it")
-    yield from by_keys.search(view, "make editable")
+    yield from by_keys.search(view, "apply construction")
     yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "F3 finds Apply Construction")
 
 
