@@ -8,19 +8,19 @@ from pathlib import Path
 
 import bpy
 
-#: Of each sample its label, the objects that are taken if not all shapes are, and those that are assets.
-SAMPLES = {
-    'vase': ("Vase", ("Vase: Cubic B-spline", "Profile: Cubic B-spline"), ("Vase: Cubic B-spline",)),
-    'shampoo': ("Bottle", (), ("Bottle", "Cap", "Nozzle")),
-    'mouse': ("Computer Mouse", (), ("Mouse",)),
-    'hull': ("Hull", (), ("Half, both",))}
+#: Of each sample the objects that are taken if not all shapes are, and those that are assets.
+TAKEN = {
+    'vase': (("Vase: Cubic B-spline", "Profile: Cubic B-spline"), ("Vase: Cubic B-spline",)),
+    'shampoo': ((), ("Bottle", "Cap", "Nozzle")),
+    'mouse': ((), ("Mouse",)),
+    'hull': ((), ("Half, both",))}
 #: Faces in a span, of what is shown finely again when it is added.
 _FEW = 2
 
 
 def pack(output):
     path = Path(bpy.data.filepath)
-    label, names, assets = SAMPLES[path.stem]
+    label, (names, assets) = label_of(path.stem), TAKEN[path.stem]
     collection = bpy.data.collections.new(label)
     for ob in bpy.context.scene.objects:
         if ob.name in names or not names and _is_ours(ob):
@@ -36,6 +36,12 @@ def pack(output):
     target = Path(output) / path.name
     bpy.data.libraries.write(str(target), {collection}, compress=True)
     print(f"packed {target.name}: {len(collection.objects)} objects, {target.stat().st_size:,} bytes")
+
+
+def label_of(name):
+    """What the installed add-on calls a sample."""
+    table = next(module for known, module in sys.modules.items() if known.endswith('splinewright.ui.operators.add_sample'))
+    return {known: label for known, label, _ in table.SAMPLES}[name]
 
 
 def _is_ours(ob):

@@ -186,7 +186,7 @@ def test_a_follower_of_a_shape_that_was_detached_says_so():
     bpy.ops.splinewright.detach('EXEC_DEFAULT', True)
     first.location.x = 1
     bpy.context.view_layer.update()
-    assert "no Splinewright shape any more" in follow.problem(second.data)
+    assert "not a Splinewright shape any more" in follow.problem(second.data)
     assert second.data.splinewright.value == value
 
 

@@ -220,7 +220,7 @@ def test_update_now_says_why_nothing_comes_of_it(clock):
     step(source)
     store.remove(source.data)
     bpy.context.view_layer.update()
-    with pytest.raises(RuntimeError, match="no Splinewright shape any more"):
+    with pytest.raises(RuntimeError, match="not a Splinewright shape any more"):
         op(bpy.ops.splinewright.update_now)
     assert follow.problem(ob.data)
 

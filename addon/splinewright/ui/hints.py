@@ -70,7 +70,8 @@ def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
         return True
-    return bool(state.is_pointing or state.drawn_stroke or state.contour or state.aimed or state.pulled or state.weighing or state.picking or state.rounding or state.moved_knot or state.measured)
+    return any((state.is_pointing, state.drawn_stroke, state.contour, state.aimed, state.pulled, state.weighing, state.picking,
+                state.rounding, state.moved_knot, state.measured))
 
 
 def _icons(item):

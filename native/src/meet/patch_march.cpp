@@ -104,7 +104,10 @@ class March {
   }
 
   /// @returns false
-  bool lose() { return !(is_lost_ = true); }
+  bool lose() {
+    is_lost_ = true;
+    return false;
+  }
 
   /// Whether a curve along which patches touch has come to where they part by more than the tolerance.
   bool parts() const {

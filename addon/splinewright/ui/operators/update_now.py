@@ -1,4 +1,4 @@
-"""A shape whose inputs changed and that waits to be told is made anew."""
+"""A shape whose inputs changed and that waits to be told is made again."""
 
 import bpy
 

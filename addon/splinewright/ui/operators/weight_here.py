@@ -27,7 +27,6 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
                       "nearer")
     means = "less, more", "the weight"
 
-
     kind: EnumProperty(name="Change", description="How the weights change", options={'SKIP_SAVE'}, items=(
         ('SET', "Set", "All get one weight"), ('SCALE', "Scale", "All are multiplied by one number")))
     weight: FloatProperty(name="Weight", description="The weight of all selected points; not 0", default=1.0, precision=4,
