@@ -101,9 +101,8 @@ def of_mesh(view):
     yield from redrawn()
     yield from by_keys.keys(view, "G X 0.4 Enter")
     yield from until(lambda: abs(bpy.context.object.matrix_world.translation.x - 0.5) < 1e-5, "G moves it")
-    with view.override():               # F3 lists Apply Transform first, whose menu is called Construction
-        bpy.ops.splinewright.make_editable('INVOKE_DEFAULT', True)
-    yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "Apply Construction")
+    yield from by_keys.search(view, "apply construction")
+    yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "F3 finds Apply Construction")
 
 
 def out_and_in(view):

@@ -1,4 +1,4 @@
-"""Restore, Detach, Apply Transform: what becomes of a shape as a whole."""
+"""Restore, Detach, Apply Transform to NURBS: what becomes of a shape as a whole."""
 
 import bpy
 from bpy.props import BoolProperty
@@ -50,7 +50,7 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.apply_transform"
-    bl_label = "Apply Transform"
+    bl_label = "Apply Transform to NURBS"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     done = "Applied the transform of {}"
