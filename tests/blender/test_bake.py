@@ -226,7 +226,7 @@ def test_live_again_is_the_way_back(make):
     bake_it(ob)
     bpy.context.scene.frame_set(8)
     activate(ob)
-    assert "frames 3 to 9" in drawn() and "Remove Bake" in drawn()
+    assert "frames 3 to 9" in drawn() and "Remove Baked Animation" in drawn()
     assert op(bpy.ops.splinewright.unbake) == {'FINISHED'}
     assert ob.data == data
     assert {kind: set(getattr(bpy.data, kind)) for kind in known} == known, "something was left behind"

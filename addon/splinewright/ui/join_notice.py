@@ -12,7 +12,7 @@ from . import texts
 
 _WIDTH = 60
 _WORDS = ("Blender's Join made plain faces or points of them. Undo brings the definitions back; Ctrl+J, or NURBS > "
-          "Join and Separate > Join Shapes, makes shapes one shape.")
+          "Join > Join Shapes, makes shapes one shape.")
 
 
 @persistent

@@ -78,7 +78,7 @@ MODIFY = Menu('modify', "Modify", (
 CORNERS = Menu('corners', "Trim and Corners", (
     *_verbs(CURVE, 'trim_curve', 'extend_curve'), None,
     *_verbs(CURVE, 'fillet_corners', 'chamfer_corners', 'fillet_curves', 'chamfer_curves')), 'SNAP_MIDPOINT')
-PIECES = Menu('pieces', "Join and Separate", (
+PIECES = Menu('pieces', "Join", (
     *_others(SHAPES, 'join'), *_verbs(CURVE, 'join_ends', 'join_pieces', 'join_curves'), *_verbs(PATCH, 'join_patches'), None,
     *_others(SHAPES, 'separate_pieces', 'delete_pieces', 'explode')), 'AUTOMERGE_ON')
 CONVERT = Menu('convert', "Convert", (

@@ -126,7 +126,7 @@ def _gone_through(steps, step):
 
 class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
     bl_idname = "splinewright.unbake"
-    bl_label = "Remove Bake"
+    bl_label = "Remove Baked Animation"
     bl_description = "Restore the shapes that were baked: they follow again, and can be edited"
     needs = "Select a shape that was baked"
     done = "{} is live again"
