@@ -19,6 +19,7 @@ namespace {
 constexpr double kTurn = 0.9;
 constexpr double kFirstStep = 0x1p-7;
 constexpr double kLeastStep = 0x1p-40;
+constexpr double kLeastSine = 0x1p-5;  ///< of the angle by which they cross plainly
 /// Places so near are one.
 constexpr double kSame = 0x1p-36;
 constexpr std::size_t kMostPlaces = std::size_t{1} << 18;
@@ -39,7 +40,7 @@ class March {
                            " places within the tolerance: it is too small");
       }
     }
-    trace_.is_lost[1] = is_lost_ && !parts();
+    trace_.is_lost[1] = is_lost_ && !parts(last().at);
     return std::move(trace_);
   }
 
@@ -109,10 +110,13 @@ class March {
     return false;
   }
 
-  /// Whether a curve along which patches touch has come to where they part by more than the tolerance.
-  bool parts() const {
+  /// Whether a curve along which patches touch has come to where they part by more than the tolerance, or where they cross,
+  /// as beyond a crease.
+  bool parts(const PatchSpots& at) const {
     constexpr double kMost = 0.5;
-    return contact_.kind != PatchContact::Kind::crossing && meeting_at(patches_, last().at).distance() > kMost * tolerance_;
+    if (contact_.kind == PatchContact::Kind::crossing) return false;
+    const PatchMeeting there = meeting_at(patches_, at);
+    return there.distance() > kMost * tolerance_ || glm::length(there.along) >= kLeastSine;
   }
 
   /// @returns whether the curve goes on
@@ -195,7 +199,6 @@ class March {
   }
 
   bool crosses_plainly(const SectionPlace& place) const {
-    constexpr double kLeastSine = 0x1p-5;
     return glm::length(meeting_at(patches_, place.at).along) >= kLeastSine;
   }
 
@@ -391,7 +394,7 @@ class March {
     (i < 2 ? at.a : at.b).piece = *next;
     at[i] = is_end ? 0.0 : 1.0;
     const std::optional<SectionPlace> there = place(at);
-    if (!there) return lose();
+    if (!there) return parts(at) ? false : lose();
     // Where the surfaces are folded the curve may come back through the same side: there it ends.
     if (!there->runs_out(i, is_end)) return contact_.kind == PatchContact::Kind::crossing ? false : lose();
     if (is_known_ && is_known_(*there)) return false;
