@@ -33,7 +33,7 @@ void bind_curve(const CurveClasses& cls) {
           "halved until they are within the tolerance, a length, by default 2^-20 of the size (Tiller and Hanson 1984),\n"
           "with ends where it has cusps. At corners an arc ('round'), or the corner of both tangents ('sharp') up to four\n"
           "times the distance away. trimmed: where it crosses itself all parts stay that are nowhere nearer to the curve\n"
-          "than the distance less the tolerance. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
+          "than the distance less the tolerance; what goes round ends where it begins, in every bit. Lecture row S18. cancel is a callable that ends a long call by returning True.\n"
           "InvalidShape if the curve is not in a plane with that normal, the distance is zero, or nothing is left.");
 }
 

@@ -193,6 +193,32 @@ def test_where_pieces_go_on_as_one_another_there_is_no_loop(inputs):
             assert curve.nearest(part.evaluate(by_spans(part, 20))).distances.min() >= abs(distance) - 1e-4
 
 
+def test_loops_are_closed_in_every_bit(inputs):
+    rng = np.random.default_rng(47)
+    loops = 0
+    for seed in range(inputs(40)):
+        curve, distance = rounded_slot(seed)
+        waists = np.array([(0, 0), (40, 0), (45, 10), (60, 10), (65, 0), (100, 0), (100, 60), (65, 60), (60, 48), (45, 48),
+                           (40, 60), (0, 60)], float) + rng.uniform(-2, 2, (12, 2))
+        pocket = sc.build.contour(np.c_[waists, np.zeros(12)], np.where(rng.random(12) < 0.5, rng.uniform(-0.4, 0.5, 12), 0),
+                                  closed=True)
+        for outline, by in ((curve, distance), (pocket, rng.uniform(3, 18)), (pocket, -rng.uniform(1, 5))):
+            try:
+                made = outline.offset(by, (0, 0, 1), trimmed=True)
+            except sc.InvalidShape as error:
+                assert "nothing is left" in str(error)
+                continue
+            for part in made:
+                loops += 1
+                assert part.is_closed, (seed, by)
+                assert all(closed for _, closed in part.polylines(4))
+                ends = part.evaluate(np.unique(part.knots))
+                middle = part.evaluate((np.unique(part.knots)[1:] + np.unique(part.knots)[:-1]) / 2)
+                longest = np.linalg.norm(middle - ends[:-1], axis=1) + np.linalg.norm(ends[1:] - middle, axis=1)
+                assert longest.min() > 1e-12 * np.ptp(ends, axis=0).max()
+    assert loops > inputs(40)
+
+
 def area_within(curve):
     """What a closed curve in the plane z = 0 encloses."""
     return abs(sum(part.signed_area((0, 0, 1)) for part in curve))

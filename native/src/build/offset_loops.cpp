@@ -10,6 +10,7 @@
 #include "curve_parts.hpp"
 #include "splinecore/base/interval.hpp"
 #include "splinecore/convert/to_bezier.hpp"
+#include "splinecore/curve/moebius.hpp"
 #include "splinecore/meet/intersections.hpp"
 
 namespace splinecore {
@@ -71,7 +72,7 @@ std::optional<BezierPieces> shortened(const BezierPieces& run, double tolerance)
 BezierCurve with_end(const BezierCurve& piece, bool is_last, const glm::dvec3& place) {
   std::vector<glm::dvec4> points(piece.points().begin(), piece.points().end());
   glm::dvec4& end = is_last ? points.back() : points.front();
-  end = glm::dvec4(place * end.w, end.w);
+  end = glm::dvec4(place, end.w);
   return piece.with_points(std::move(points));
 }
 
@@ -94,6 +95,17 @@ BezierPieces without_specks(const BezierPieces& run, double tolerance) {
   if (kept.empty()) return run;
   if (start) kept.back() = with_end(kept.back(), true, end_of(run.back()));
   return kept;
+}
+
+BezierPieces ended_at_start(BezierPieces run) {
+  const glm::dvec3 start = start_of(run.front());
+  if (run.size() < 2 || glm::distance(end_of(run.back()), start) > kSamePlace) return run;
+  // With other weights at the ends their points, divided by these, would differ in the last bit.
+  for (BezierCurve& piece : run) {
+    if (piece.points().front().w != 1.0 || piece.points().back().w != 1.0) piece = standard_form(piece);
+  }
+  run.back() = with_end(run.back(), true, start);
+  return run;
 }
 
 BezierPieces without_loops(const BezierPieces& run, double tolerance) {

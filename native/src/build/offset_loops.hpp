@@ -12,5 +12,8 @@ BezierPieces without_loops(const BezierPieces& run, double tolerance);
 /// A run without pieces that are next to nothing long beside the tolerance and may lead back; their neighbors meet.
 BezierPieces without_specks(const BezierPieces& run, double tolerance);
 
+/// A run that ends where it begins up to rounding, in every bit.
+BezierPieces ended_at_start(BezierPieces run);
+
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -234,6 +234,14 @@ void append(BezierPieces& run, const BezierPieces& part) {
   run.insert(run.end(), part.begin(), part.end());
 }
 
+/// What goes round ends where it begins.
+void close(BezierPieces& run) {
+  const glm::dvec3 start = start_of(run.front());
+  if (glm::distance(end_of(run.back()), start) <= kSamePlace) return;
+  end_beside(run, start);
+  if (glm::distance(end_of(run.back()), start) > kSamePlace) run.push_back(bezier_line(end_of(run.back()), start));
+}
+
 /// Parts that begin where others end put together.
 std::vector<BezierPieces> joined_ends(const std::vector<BezierPieces>& parts, double near) {
   const std::vector<std::size_t> next = followers_of(parts, near);
@@ -252,6 +260,7 @@ std::vector<BezierPieces> joined_ends(const std::vector<BezierPieces>& parts, do
         append(joined.back(), parts[i]);
         is_done[i] = true;
       }
+      if (is_round) close(joined.back());
     }
   }
   return joined;
@@ -284,7 +293,9 @@ std::vector<BezierPieces> trimmed_offset(const NurbsCurve& curve, const NearSpac
     }
   }
   std::vector<BezierPieces> joined = joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
-  for (BezierPieces& run : joined) run = without_specks(without_loops(run, step.tolerance), step.tolerance);
+  for (BezierPieces& run : joined) {
+    run = ended_at_start(without_specks(without_loops(run, step.tolerance), step.tolerance));
+  }
   return joined;
 }
 
