@@ -36,12 +36,13 @@ AnyApproximation approximate(const py::object& points, const py::object& count, 
                              const py::object& parameters, const py::object& tolerance, const py::object& knots,
                              const py::object& weights, const py::object& fixed_ends, const py::object& start,
                              const py::object& end, const py::object& closed, const py::object& smoothing,
-                             const py::object& corrections, const py::object& cancel) {
+                             const py::object& corrections, const py::object& residual, const py::object& cancel) {
   const GivenPoints given(points, "points", 1);
   const std::span<const glm::dvec3> rows = given.points();
   ApproximationOptions options;
   options.weights = optional_numbers(weights, "weights");
-  options.fixed_ends = boolean(fixed_ends, "fixed_ends");
+  const std::optional<double> left = optional_real(residual, "residual");
+  options.fixed_ends = optional_boolean(fixed_ends, "fixed_ends").value_or(!left);
   options.start = derivatives_of(start, "start");
   options.end = derivatives_of(end, "end");
   options.smoothing = real(smoothing, "smoothing");
@@ -52,7 +53,8 @@ AnyApproximation approximate(const py::object& points, const py::object& count, 
   const std::optional<double> within = positive(tolerance, "tolerance");
   const std::optional<std::size_t> number = count.is_none() ? std::nullopt : std::optional(count_of(count, "count"));
   if (!knots.is_none() && (number || within)) throw InvalidShape("knots are given, and so neither count nor tolerance");
-  if (knots.is_none() && !number && !within) throw InvalidShape("count, knots or tolerance is needed");
+  if (left && within) throw InvalidShape("residual is given, and so no tolerance");
+  if (knots.is_none() && !number && !within && !left) throw InvalidShape("count, knots, tolerance or residual is needed");
   const bool are_chosen = parameters.is_none();
   const std::vector<double> at = are_chosen ? splinecore::parameters_of(rows, Parameterization::chordal, closing)
                                             : curve_parameters(rows, parameters, order, closing);
@@ -62,8 +64,12 @@ AnyApproximation approximate(const py::object& points, const py::object& count, 
       if (are_chosen) return splinecore::approximate_within(rows, order, closing, *within, most, options);
       return splinecore::approximate_within(rows, at, order, closing, *within, most, options);
     }
-    if (number) return splinecore::approximate(rows, at, order, *number, closing, options);
-    return splinecore::approximate(rows, at, KnotVector::make(order, chain, closing == Closing::closed), options);
+    if (number && !left) return splinecore::approximate(rows, at, order, *number, closing, options);
+    const bool chooses = left && chain.empty();
+    const KnotVector on = chooses ? splinecore::approximating_knots(at, order, number.value_or(rows.size()), closing)
+                                           : KnotVector::make(order, chain, closing == Closing::closed);
+    return left ? splinecore::approximate_smoothly(rows, at, on, *left, options)
+                : splinecore::approximate(rows, at, on, options);
   }, cancel));
 }
 
@@ -145,9 +151,10 @@ AnyApproximation fair_patch(const AnyPatch& self, const py::object& tolerance, c
 void bind_functions(py::module_& fit) {
   fit.def("approximate", &approximate, py::arg("points"), py::arg("count") = py::none(), py::arg("degree") = 3,
           py::arg("parameters") = py::none(), py::kw_only(), py::arg("tolerance") = py::none(),
-          py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = true,
+          py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = py::none(),
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::arg("closed") = false,
-          py::arg("smoothing") = 0.0, py::arg("corrections") = 0, py::arg("cancel") = py::none(),
+          py::arg("smoothing") = 0.0, py::arg("corrections") = 0, py::arg("residual") = py::none(),
+          py::arg("cancel") = py::none(),
           "The polynomial NurbsCurve near points (n, 2 or 3), as an Approximation: its error is the largest distance of\n"
           "a point from the curve's point at its parameter, and so no less than from the curve. Least sum of squares, in\n"
           "time linear in n (The NURBS Book, §9.4.1). Lecture row S17.\n\n"
@@ -157,8 +164,12 @@ void bind_functions(py::module_& fit) {
           "leaves its points in between by more than the size of a place's neighborhood, degree points on each side, is\n"
           "not taken, or where no other is found by four times as much. parameters: as of interpolate(); None takes\n"
           "'chordal' ones, and with a tolerance 'calm' ones where curves would swing at those.\n\n"
+          "residual: the curve with the least integral of the squared second derivative whose sum of squares, of distances at\n"
+          "parameters times weights, is no more (Reinsch 1967): for noise of the deviation d about n * d**2, as s of SciPy's\n"
+          "splprep. Without count and knots it may have a control point for each point.\n\n"
           "weights: (n,) positive, of the squares. fixed_ends: an open curve begins at the first point and ends at the\n"
-          "last; start, end: its derivatives 1, 2, … by the parameter there (k, 2 or 3), or the first (2 or 3,).\n"
+          "last, by default but with a residual. Of noisy points say False: else noise of these two bends the ends.\n"
+          "start, end: its derivatives 1, 2, … by the parameter there (k, 2 or 3), or the first (2 or 3,).\n"
           "smoothing: weight of the integral of the squared second derivative beside the sum of squares (Reinsch 1967).\n"
           "corrections: so often, while the error falls, parameters move towards the nearest points (Hoschek 1988).\n"
           "cancel: a callable without arguments that ends the call by returning true.\n\n"

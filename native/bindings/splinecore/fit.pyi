@@ -44,12 +44,13 @@ def approximate(
     tolerance: float | None = None,
     knots: ArrayLike | None = None,
     weights: ArrayLike | None = None,
-    fixed_ends: bool = True,
+    fixed_ends: bool | None = None,
     start: ArrayLike | None = None,
     end: ArrayLike | None = None,
     closed: bool = False,
     smoothing: float = 0.0,
     corrections: SupportsIndex = 0,
+    residual: float | None = None,
     cancel: Callable[[], object] | None = None,
 ) -> Approximation[NurbsCurve]: ...
 def project(

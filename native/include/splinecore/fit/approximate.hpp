@@ -44,6 +44,17 @@ Approximation<NurbsCurve> approximate(std::span<const glm::dvec3> points, std::s
                                       int degree, std::size_t count, Closing closing = Closing::open,
                                       const ApproximationOptions& options = {});
 
+/// The curve on these knots with the least integral of the squared second derivative of those whose residual, the sum of
+/// the squared distances times their weights, is no more (Reinsch 1967): that sum grows with the weight of smoothing, which
+/// is found by halving. Of points that are noise about a curve with the deviation d it is about the number of points times
+/// d^2; of those ends are best not fixed.
+/// @returns the curve, and the largest distance of a point from the curve's point at its parameter
+/// @throws InvalidShape unless the residual is 0 or more, if options have a smoothing or corrections, and as approximate();
+///         ToleranceNotReached if it cannot be as small on these knots.
+Approximation<NurbsCurve> approximate_smoothly(std::span<const glm::dvec3> points, std::span<const double> parameters,
+                                               const KnotVector& knots, double residual,
+                                               const ApproximationOptions& options = {});
+
 /// The same with knots where they are needed: spans that are too far from a point are halved, then knots that are not
 /// missed are taken away. Curves that leave their points in between are not taken: by more than the size of a place's
 /// neighborhood, that is of `degree` points on each side, or where no others are found by four times as much.
