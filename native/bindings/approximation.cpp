@@ -1,6 +1,7 @@
 #include "approximation.hpp"
 
 #include "classes.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/errors.hpp"
 #include "values.hpp"
@@ -22,6 +23,7 @@ void bind_approximation(py::module_& module) {
       "Unpacks: value, error = curve.reduce(). The error is a length in the units of the points, 0 where\n"
       "nothing but rounding was lost.");
   seal(cls);
+  pickle_members(cls, &AnyApproximation::value, &AnyApproximation::error);
   cls.def_property_readonly("value", [](const AnyApproximation& self) { return self.value; });
   cls.def_property_readonly("error", [](const AnyApproximation& self) { return self.error; });
   cls.def("__iter__", [](const AnyApproximation& self) { return py::iter(py::make_tuple(self.value, self.error)); });

@@ -149,9 +149,20 @@ py::array apply_samples(const Samples& samples, int count, const py::object& val
 
 /// Samples together with the count of distinct points, which folds periodic indices.
 struct BoundSamples {
+  KnotVector knots;
+  Side side;
   Samples samples;
-  int count;
-  int degree;
+
+  static BoundSamples of(const KnotVector& knots, const std::vector<double>& at, int order, Side side) {
+    splinecore::require_order(order);
+    return {knots, side, unlocked([&] { return Samples::make(knots, at, order, side); })};
+  }
+
+  py::object state() const {
+    std::vector<double> at(samples.size());
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = samples.parameter(i);
+    return py::make_tuple(knots, new_numbers(std::span<const double>(at)), samples.order(), side == Side::left);
+  }
 };
 
 }  // namespace
@@ -224,30 +235,34 @@ void bind_basis(py::module_& module) {
                            "Computed once, applied to any rows of numbers: points, weights, colors.");
   seal(bound_samples);
   bound_samples
+      .def(py::pickle([](const BoundSamples& self) -> py::object { return self.state(); },
+                      [](const py::object& state) {
+                        const py::tuple parts = state_of_size(state, 4);
+                        if (!py::isinstance<KnotVector>(parts[0])) throw py::type_error("the state has no knot vector");
+                        return BoundSamples::of(py::cast<const KnotVector&>(parts[0]), numbers(parts[1], "u"),
+                                                integer(parts[2], "order"),
+                                                boolean(parts[3], "left") ? Side::left : Side::right);
+                      }))
       .def(py::init([](const py::object& knots, const py::object& u, const py::object& order, const py::object& side) {
              if (!py::isinstance<KnotVector>(knots)) {
                throw py::type_error("knots must be a KnotVector, not " + type_name(knots));
              }
              const auto& vector = py::cast<const KnotVector&>(knots);
              const std::vector<double> at = numbers(u, "u");
-             const int highest = integer(order, "order");
-             splinecore::require_order(highest);
-             const Side which = side_of(side, "side");
-             return BoundSamples{unlocked([&] { return Samples::make(vector, at, highest, which); }), vector.count(),
-                                 vector.degree()};
+             return BoundSamples::of(vector, at, integer(order, "order"), side_of(side, "side"));
            }),
            py::arg("knots"), py::arg("u"), py::arg("order") = 0, py::kw_only(), py::arg("side") = "right")
       .def("__len__", [](const BoundSamples& self) { return self.samples.size(); })
       .def_property_readonly("first", [](const BoundSamples& self) {
         auto out = new_numbers<std::int64_t>(self.samples.size());
-        for (std::size_t i = 0; i < self.samples.size(); ++i) out.mutable_data()[i] = self.samples.first(i) % self.count;
+        for (std::size_t i = 0; i < self.samples.size(); ++i) out.mutable_data()[i] = self.samples.first(i) % self.knots.count();
         return out;
       }, "(m,) int64: the first control point that each sample depends on.")
       .def("weights", [](const BoundSamples& self, const py::object& order) {
-             return sample_weights(self.samples, integer(order, "order"), self.degree + 1);
+             return sample_weights(self.samples, integer(order, "order"), self.knots.degree() + 1);
            }, py::arg("order") = 0, "(m, degree + 1): weights of control points first, first + 1, … (modulo their count).")
       .def("apply", [](const BoundSamples& self, const py::object& values, const py::object& order) {
-             return apply_samples(self.samples, self.count, values, integer(order, "order"));
+             return apply_samples(self.samples, self.knots.count(), values, integer(order, "order"));
            }, py::arg("values"), py::arg("order") = 0, "(count, ...) -> (m, ...): the weighted sums, or those of a derivative.");
 }
 

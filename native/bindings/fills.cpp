@@ -9,6 +9,7 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "neighbors.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/cap.hpp"
 #include "splinecore/surface/fill.hpp"
@@ -51,6 +52,8 @@ void bind_filling(py::module_& module) {
                           "neighbors with 'G1' and 'G2'; curvature_difference, in 1 / length, that of normal curvatures across those with\n"
                           "'G2'; inner_angle the largest between tangent planes of patches of the filling.");
   seal(cls);
+  pickle_members(cls, &Filling::patches, &Filling::gap, &Filling::angle, &Filling::curvature_difference,
+                  &Filling::inner_angle);
   cls.def_property_readonly("patches", [](const Filling& self) { return py::tuple(py::cast(self.patches)); },
                             "A tuple of NurbsPatch.");
   cls.def_readonly("gap", &Filling::gap);

@@ -5,6 +5,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 
@@ -149,6 +150,8 @@ void bind_result(py::module_& module) {
                                 "are parallel. overlaps is (m, 2, 2): start and end on the first curve and on the second;\n"
                                 "reversed (m,), whether they run against each other.");
   seal(cls);
+  pickle_members(cls, &Intersections::parameters, &Intersections::points, &Intersections::distances,
+                  &Intersections::touches, &Intersections::overlaps, &Intersections::reversed);
   cls.def_property_readonly("parameters", [](const Intersections& self) { return self.parameters; });
   cls.def_property_readonly("points", [](const Intersections& self) { return self.points; });
   cls.def_property_readonly("distances", [](const Intersections& self) { return self.distances; });
@@ -168,6 +171,8 @@ void bind_patch_result(py::module_& module) {
                                      "middle between both; distances (n,), of both there; touches (n,), whether the curve\n"
                                      "does not go through the patch. overlaps is (m, 2): start and end on the curve.");
   seal(cls);
+  pickle_members(cls, &PatchIntersections::parameters, &PatchIntersections::points, &PatchIntersections::distances,
+                  &PatchIntersections::touches, &PatchIntersections::overlaps);
   cls.def_property_readonly("parameters", [](const PatchIntersections& self) { return self.parameters; });
   cls.def_property_readonly("points", [](const PatchIntersections& self) { return self.points; });
   cls.def_property_readonly("distances", [](const PatchIntersections& self) { return self.distances; });

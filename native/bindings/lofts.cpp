@@ -10,6 +10,7 @@
 #include "long_calls.hpp"
 #include "neighbors.hpp"
 #include "point_arguments.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/loft.hpp"
 #include "values.hpp"
@@ -181,6 +182,7 @@ void bind_loft_surface(py::module_& module) {
                          "Unpacks: value, error = build.loft(...). followed is the part of their strengths with which it follows its\n"
                          "neighbors: less than 1 where it would have shot out.");
   seal(cls);
+  pickle_members(cls, &LoftSurface::value, &LoftSurface::error, &LoftSurface::followed);
   cls.def_readonly("value", &LoftSurface::value);
   cls.def_readonly("error", &LoftSurface::error);
   cls.def_readonly("followed", &LoftSurface::followed);

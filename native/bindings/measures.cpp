@@ -5,6 +5,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/measure/area.hpp"
 #include "splinecore/measure/curve_frame.hpp"
@@ -271,6 +272,7 @@ void bind_result(py::module_& module) {
       "gauss and mean are (...,); principal is (..., 2), the larger one first; directions is (..., 2, 3), unit\n"
       "vectors in space at right angles, the second the normal times the first.");
   seal(cls);
+  pickle_members(cls, &Curvatures::gauss, &Curvatures::mean, &Curvatures::principal, &Curvatures::directions);
   cls.def_readonly("gauss", &Curvatures::gauss);
   cls.def_readonly("mean", &Curvatures::mean);
   cls.def_readonly("principal", &Curvatures::principal);

@@ -5,6 +5,7 @@
 #include "splinecore/base/approximation.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/instruction_set.hpp"
+#include "verbs.hpp"
 #include "wrong_calls.hpp"
 
 namespace py = pybind11;
@@ -64,6 +65,8 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_nearest(module);
   bindings::bind_stationary(module);
   bindings::bind_intersections(module);
+  bindings::bind_rays(module);
+  bindings::bind_every_kind(module);
   bindings::bind_sections(module);
   bindings::bind_offset(module);
   bindings::bind_curve_parts(module);

@@ -6,6 +6,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 
@@ -110,6 +111,7 @@ void bind_result(py::module_& module) {
                           "parameters is (...,) on a curve and (..., 2), u and v, on a patch; points is (..., 3),\n"
                           "distances (...,).");
   seal(cls);
+  pickle_members(cls, &Nearest::parameters, &Nearest::points, &Nearest::distances);
   cls.def_readonly("parameters", &Nearest::parameters);
   cls.def_readonly("points", &Nearest::points);
   cls.def_readonly("distances", &Nearest::distances);

@@ -8,6 +8,7 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "neighbors.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/coons.hpp"
 #include "splinecore/surface/network.hpp"
@@ -58,6 +59,7 @@ void bind_network_surface(py::module_& module) {
                             "they are from the outermost curves at the same share of their parameters, lengths, None where a direction is closed:\n"
                             "0 but for rounding where the curve keeps its pace, so that a patch whose edge it is shares that.");
   seal(cls);
+  pickle_members(cls, &NetworkSurface::value, &NetworkSurface::error, &NetworkSurface::paces);
   cls.def_readonly("value", &NetworkSurface::value);
   cls.def_readonly("error", &NetworkSurface::error);
   cls.def_property_readonly("paces", [](const NetworkSurface& self) {

@@ -5,6 +5,7 @@
 #include "arrays.hpp"
 #include "classes.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/measure/seam.hpp"
 #include "splinecore/patch/join.hpp"
@@ -121,6 +122,11 @@ void bind_seam(py::module_& module) {
       "points (n, 3), gaps, angles and curvature_differences (n,); nan where there is nothing to measure, as at\n"
       "infinity or at the tip of a cone. Read-only float64.");
   seal(cls);
+  pickle_members(cls, &SeamContinuity::gap, &SeamContinuity::angle, &SeamContinuity::curvature_difference,
+                  &SeamContinuity::first_difference, &SeamContinuity::second_difference, &SeamContinuity::c,
+                  &SeamContinuity::g, &SeamContinuity::reversed, &SeamContinuity::parameters,
+                  &SeamContinuity::points, &SeamContinuity::gaps, &SeamContinuity::angles,
+                  &SeamContinuity::curvature_differences);
   cls.def_readonly("gap", &SeamContinuity::gap);
   cls.def_readonly("angle", &SeamContinuity::angle);
   cls.def_readonly("curvature_difference", &SeamContinuity::curvature_difference);
@@ -191,6 +197,8 @@ void bind_join(py::module_& module) {
       "far they moved, lengths as of largest_distance(), 0 for one that stays. reversed: the second runs against the\n"
       "first along the side.");
   seal(cls);
+  pickle_members(cls, &JoinedPatches::first, &JoinedPatches::second, &JoinedPatches::first_error,
+                  &JoinedPatches::second_error, &JoinedPatches::reversed);
   cls.def_readonly("first", &JoinedPatches::first);
   cls.def_readonly("second", &JoinedPatches::second);
   cls.def_readonly("first_error", &JoinedPatches::first_error);

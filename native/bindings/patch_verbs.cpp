@@ -72,15 +72,6 @@ void bind_degrees(Class<Patch>& cls, const char* elevate, const char* reduce) {
           }, py::arg("axis"), py::arg("times") = 1, py::arg("tolerance") = py::none(), reduce);
 }
 
-template <class Patch>
-void bind_transformed(Class<Patch>& cls) {
-  cls.def("transformed", [](const Patch& self, const py::object& matrix) {
-            return splinecore::transformed(self, matrix_of(matrix));
-          }, py::arg("matrix"),
-          "The patch under a linear (3, 3), affine (3, 4) or projective (4, 4) map of columns.\n\n"
-          "Under a projective one the weights change; a point that goes to infinity gets weight 0. Rows S9, S20.");
-}
-
 void bind_removal(Class<NurbsPatch>& cls) {
   cls.def("remove_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u,
                             const py::object& times, const py::object& tolerance) {
@@ -146,7 +137,6 @@ void bind_patch_verbs(Class<NurbsPatch>& cls) {
                "Every line of the net becomes the nearest in its control points, in the sum of squares. Exact where\n"
                "the degree was raised before. The error is as of largest_distance(). ToleranceNotReached with a\n"
                "tolerance that it exceeds. Row S20.");
-  bind_transformed(cls);
   bind_removal(cls);
   bind_ends(cls);
   cls.def("moebius", [](const NurbsPatch& self, const py::object& axis, const py::object& rho) {
@@ -173,7 +163,6 @@ void bind_patch_verbs(Class<BezierPatch>& cls) {
                "Approximation by a patch of a degree lower by times along an axis, 'u' or 'v', with the same ends.\n\n"
                "Each step takes the nearest lines in the maximum norm (Lachance 1988). The error is an upper bound of\n"
                "the distance, at most 2 % above it. ToleranceNotReached with a tolerance that it exceeds. Row S19.");
-  bind_transformed(cls);
 }
 
 void bind_patch_verbs(Class<HermitePatch>& cls) { bind_curves_of(cls); }

@@ -27,6 +27,7 @@ void bind_plane_curves(pybind11::module_& module);
 void bind_nearest(pybind11::module_& module);
 void bind_stationary(pybind11::module_& module);
 void bind_intersections(pybind11::module_& module);
+void bind_rays(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_offset(pybind11::module_& module);
 void bind_curve_parts(pybind11::module_& module);

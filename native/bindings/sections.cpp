@@ -7,6 +7,7 @@
 #include "classes.hpp"
 #include "every_kind.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 
@@ -16,6 +17,25 @@ using splinecore::NurbsCurve;
 using splinecore::NurbsPatch;
 using splinecore::SectionKind;
 using splinecore::Sections;
+
+template <>
+struct StateOf<SectionKind> {
+  static py::object from(SectionKind kind) { return py::int_(static_cast<int>(kind)); }
+  static SectionKind to(const py::object& state) {
+    const int kind = integer(state, "the state");
+    if (kind >= 0 && kind <= static_cast<int>(SectionKind::border)) return static_cast<SectionKind>(kind);
+    throw splinecore::InvalidShape("the state has no kind of section");
+  }
+};
+
+using splinecore::SectionCurve;
+using splinecore::SectionPoint;
+
+template <>
+struct StateOf<SectionCurve> : StateOfMembers<&SectionCurve::curve, &SectionCurve::on_a, &SectionCurve::on_b,
+                                              &SectionCurve::is_closed, &SectionCurve::kind> {};
+template <>
+struct StateOf<SectionPoint> : StateOfMembers<&SectionPoint::a, &SectionPoint::b, &SectionPoint::point> {};
 
 namespace {
 
@@ -98,6 +118,7 @@ void bind_result(py::module_& module) {
                            "of a part where both are one, as are_one says. points is (m, 3), parameters (m, 2, 2): u and v\n"
                            "on the first shape, and on the second.");
   seal(cls);
+  pickle_members(cls, &Sections::curves, &Sections::points, &Sections::are_one);
   cls.def_property_readonly("curves", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::curve); });
   cls.def_property_readonly("on_a", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_a); });
   cls.def_property_readonly("on_b", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::on_b); });

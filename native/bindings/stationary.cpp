@@ -7,6 +7,7 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "nearest.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 
@@ -21,6 +22,13 @@ struct StationaryPoints {
   Nearest places;
   py::tuple kinds;
 };
+
+}  // namespace
+
+template <>
+struct StateOf<Nearest> : StateOfMembers<&Nearest::parameters, &Nearest::points, &Nearest::distances> {};
+
+namespace {
 
 const char* name_of(Stationary kind) {
   if (kind == Stationary::minimum) return "minimum";
@@ -103,6 +111,7 @@ void bind_result(py::module_& module) {
                                    "distances (n,). kinds holds for each 'minimum', 'maximum' or 'saddle', which is\n"
                                    "neither of them.");
   seal(cls);
+  pickle_members(cls, &StationaryPoints::places, &StationaryPoints::kinds);
   cls.def_property_readonly("parameters", [](const StationaryPoints& self) { return self.places.parameters; });
   cls.def_property_readonly("points", [](const StationaryPoints& self) { return self.places.points; });
   cls.def_property_readonly("distances", [](const StationaryPoints& self) { return self.places.distances; });

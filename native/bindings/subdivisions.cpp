@@ -6,6 +6,7 @@
 #include "classes.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/catmull_clark.hpp"
 #include "values.hpp"
@@ -52,6 +53,8 @@ void bind_patches_of_subdivision(py::module_& module) {
                                      "irregular patches, beside extraordinary points, are not the surface itself; angle, in radians, is the largest\n"
                                      "between tangent planes across a side of one of these.");
   seal(cls);
+  pickle_members(cls, &SubdivisionPatches::patches, &SubdivisionPatches::rounds, &SubdivisionPatches::irregular,
+                  &SubdivisionPatches::angle);
   cls.def_property_readonly("patches", [](const SubdivisionPatches& self) { return py::tuple(py::cast(self.patches)); },
                             "A tuple of NurbsPatch.");
   cls.def_readonly("rounds", &SubdivisionPatches::rounds);

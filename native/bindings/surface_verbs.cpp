@@ -9,6 +9,7 @@
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
 #include "rail_numbers.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/surface/extend_patch.hpp"
 #include "splinecore/surface/fillet_chain.hpp"
@@ -103,6 +104,7 @@ void bind_rounded_edge(py::module_& module) {
                               "What rounds the edge of two patches: first and second, NurbsPatch, are what is left of them, fillet the NurbsPatch\n"
                               "between, and error, a length, is how far one of these was found to be from where it should be.");
   seal(cls);
+  pickle_members(cls, &RoundedEdge::first, &RoundedEdge::fillet, &RoundedEdge::second, &RoundedEdge::error);
   cls.def_readonly("first", &RoundedEdge::first);
   cls.def_readonly("fillet", &RoundedEdge::fillet);
   cls.def_readonly("second", &RoundedEdge::second);

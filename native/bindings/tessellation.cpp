@@ -1,11 +1,14 @@
 #include "splinecore/tessellate/tessellation.hpp"
 
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "arrays.hpp"
 #include "classes.hpp"
 #include "long_calls.hpp"
 #include "output.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "values.hpp"
 #include "views.hpp"
@@ -14,9 +17,44 @@ namespace bindings {
 
 using splinecore::InvalidShape;
 using splinecore::PatchSet;
-using splinecore::Tessellation;
 
 namespace {
+
+/// A mesh, and what it was made of, from which another process makes it again.
+struct Tessellation : splinecore::Tessellation {
+  using Resolutions = std::pair<int, int>;
+
+  PatchSet set;
+  std::variant<Resolutions, splinecore::Fineness> finely;
+
+  static Tessellation of(const PatchSet& set, const Resolutions& resolutions) {
+    return {{make(set, resolutions.first, resolutions.second)}, set, resolutions};
+  }
+  static Tessellation of(const PatchSet& set, const splinecore::Fineness& fineness, int threads = 0) {
+    return {{adaptive(set, fineness, threads)}, set, fineness};
+  }
+};
+
+py::object state_of(const Tessellation& self) {
+  if (const auto* resolutions = std::get_if<Tessellation::Resolutions>(&self.finely)) {
+    return py::make_tuple(self.set, resolutions->first, resolutions->second);
+  }
+  const auto& fineness = std::get<splinecore::Fineness>(self.finely);
+  return py::make_tuple(self.set, fineness.distance, fineness.angle, fineness.smallest);
+}
+
+Tessellation made_of_state(const py::object& state) {
+  const bool is_adaptive = py::isinstance<py::tuple>(state) && py::len(state) == 4;
+  const py::tuple parts = state_of_size(state, is_adaptive ? 4 : 3);
+  const PatchSet set = StateOf<PatchSet>::to(parts[0]);
+  if (is_adaptive) {
+    const splinecore::Fineness fineness{StateOf<double>::to(parts[1]), StateOf<double>::to(parts[2]),
+                                        StateOf<double>::to(parts[3])};
+    return unlocked([&] { return Tessellation::of(set, fineness); });
+  }
+  const Tessellation::Resolutions resolutions{StateOf<int>::to(parts[1]), StateOf<int>::to(parts[2])};
+  return unlocked([&] { return Tessellation::of(set, resolutions); });
+}
 
 const PatchSet& set_of(const py::object& value, const char* name = "patch_set") {
   if (py::isinstance<PatchSet>(value)) return py::cast<const PatchSet&>(value);
@@ -77,10 +115,11 @@ void bind_tessellation(py::module_& module) {
       "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
       "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
   seal(cls);
+  cls.def(py::pickle(&state_of, &made_of_state));
   cls.def(py::init([](const py::object& patch_set, const py::object& resolution) {
             const PatchSet& set = set_of(patch_set);
-            const auto [u, v] = resolutions_of(resolution);
-            return unlocked([&] { return Tessellation::make(set, u, v); });
+            const Tessellation::Resolutions resolutions = resolutions_of(resolution);
+            return unlocked([&] { return Tessellation::of(set, resolutions); });
           }), py::arg("patch_set"), py::arg("resolution"));
   cls.def_static("adaptive", [](const py::object& patch_set, const py::object& tolerance, const py::object& angle,
                                 const py::object& smallest, const py::object& threads, const py::object& cancel) {
@@ -92,7 +131,7 @@ void bind_tessellation(py::module_& module) {
                    };
                    const splinecore::Fineness fineness{allowed(tolerance, "tolerance"), allowed(angle, "angle"),
                                                        real(smallest, "smallest")};
-                   return unlocked([&] { return Tessellation::adaptive(set, fineness, most); }, cancel);
+                   return unlocked([&] { return Tessellation::of(set, fineness, most); }, cancel);
                  }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
                  py::arg("smallest") = 0.0, py::arg("threads") = 0, py::arg("cancel") = py::none(),
                  "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
@@ -103,7 +142,7 @@ void bind_tessellation(py::module_& module) {
                  "all cores where that is worth it; the mesh is the same.\n"
                  "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"
                  "derivatives after Filip, Magedson and Markot 1986. Lecture row S22.");
-  cls.def_property_readonly("vertex_count", &Tessellation::vertex_count);
+  cls.def_property_readonly("vertex_count", [](const Tessellation& self) { return self.vertex_count(); });
   cls.def_property_readonly("face_starts", [](const py::object& self) {
     return view_of_numbers(py::cast<const Tessellation&>(self).face_starts(), self);
   },

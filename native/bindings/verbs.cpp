@@ -5,13 +5,12 @@
 #include "arrays.hpp"
 #include "classes.hpp"
 #include "long_calls.hpp"
+#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/curve/degree.hpp"
 #include "splinecore/curve/distance.hpp"
 #include "splinecore/curve/ends.hpp"
-#include "splinecore/curve/join.hpp"
 #include "splinecore/curve/removal.hpp"
-#include "splinecore/curve/transform.hpp"
 #include "splinecore/measure/continuity.hpp"
 #include "values.hpp"
 
@@ -20,18 +19,8 @@ namespace bindings {
 using splinecore::Continuity;
 using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
-using splinecore::Smoothness;
 
 namespace {
-
-Smoothness smoothness_of(const py::object& value) {
-  const std::pair<const char*, Smoothness> known[] = {
-      {"C0", Smoothness::c0}, {"G1", Smoothness::g1}, {"C1", Smoothness::c1}, {"C2", Smoothness::c2}};
-  for (const auto& [name, smoothness] : known) {
-    if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return smoothness;
-  }
-  throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'G1', 'C1' or 'C2'");
-}
 
 void bind_knot_verbs(Class<NurbsCurve>& cls) {
   cls.def("remove_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times,
@@ -87,22 +76,9 @@ void bind_end_verbs(Class<NurbsCurve>& cls) {
           "Approximation by a periodic curve, as smooth at its seam as it is within the tolerance, a length.\n\n"
           "The default is a few roundings. ToleranceNotReached if the ends lie farther apart, InvalidShape if their\n"
           "weights differ or one lies at infinity. Row S15.");
-  cls.def("join", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& continuity) {
-            const Smoothness smoothness = smoothness_of(continuity);
-            return wrap(unlocked([&] { return splinecore::joined(self, other, smoothness); }));
-          }, py::arg("other"), py::arg("continuity") = "C0",
-          "Approximation by this curve and then the other as one, 'C0', 'G1', 'C1' or 'C2' at the joint.\n\n"
-          "Points next to the joint move as little as that asks; the error is how far the curves moved. For C1 and\n"
-          "C2 the other's domain is scaled first. InvalidShape if a curve is periodic or an end lies at infinity.\n"
-          "Row S7.");
 }
 
 void bind_measures(Class<NurbsCurve>& cls) {
-  cls.def("transformed", [](const NurbsCurve& self, const py::object& matrix) {
-            return splinecore::transformed(self, matrix_of(matrix));
-          }, py::arg("matrix"),
-          "The curve under a linear (3, 3), affine (3, 4) or projective (4, 4) map of columns.\n\n"
-          "Under a projective one the weights change; a point that goes to infinity gets weight 0. Rows S9, S15.");
   cls.def("largest_distance", [](const NurbsCurve& self, const NurbsCurve& other) {
             return unlocked([&] { return splinecore::largest_distance(self, other); });
           }, py::arg("other"),
@@ -116,11 +92,6 @@ void bind_measures(Class<NurbsCurve>& cls) {
           }, py::arg("u"), py::arg("tolerance") = splinecore::kContinuityTolerance,
           "The Continuity at a parameter inside the domain; a periodic curve takes any, modulo its period.\n"
           "tolerance is relative: below it a difference is called none. Row S16.");
-  cls.def("continuity_to", [](const NurbsCurve& self, const NurbsCurve& other, const py::object& tolerance) {
-            const double most = real(tolerance, "tolerance");
-            return unlocked([&] { return splinecore::continuity_between(self, other, most); });
-          }, py::arg("other"), py::arg("tolerance") = splinecore::kContinuityTolerance,
-          "The Continuity between the end of this curve and the start of the other.\nRow S16.");
   cls.def("joints", [](const NurbsCurve& self, const py::object& tolerance) {
             py::list found;
             const double most = real(tolerance, "tolerance");
@@ -149,6 +120,8 @@ void bind_continuity(py::module_& module) {
       "curvature vectors. c counts the derivatives that agree, -1 for a gap; it is the degree where there is no\n"
       "joint at all. g is -1, 0, 1, 2, or c where that is more.");
   seal(cls);
+  pickle_members(cls, &Continuity::gap, &Continuity::angle, &Continuity::curvature_difference, &Continuity::c,
+                  &Continuity::g);
   cls.def_readonly("gap", &Continuity::gap);
   cls.def_readonly("angle", &Continuity::angle);
   cls.def_readonly("curvature_difference", &Continuity::curvature_difference);

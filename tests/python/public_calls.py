@@ -52,6 +52,10 @@ def closed(one, at):
     return line if isinstance(one, sc.BezierCurve) else line.to_nurbs()
 
 
+def open_form(one):
+    return one.unrolled() if isinstance(one, sc.NurbsCurve) else one
+
+
 def tip(one):
     return one.evaluate(one.domain[1])
 
@@ -61,7 +65,19 @@ def bar(place, at):
     return sc.BezierCurve([place - xyz(at, 0.1, 0.2, 0.3), place + xyz(at, 0.1, 0.2, 0.3)])
 
 
-CURVE = {
+MOVED = {
+    "transformed": lambda one, at: one.transformed(matrix(at.size)),
+    "translated": lambda one, at: one.translated(xyz(at, 1, 2)),
+    "rotated": lambda one, at: one.rotated(0.3, (1, 2, 3), xyz(at, 1)),
+    "scaled": lambda one, at: [one.scaled(2), one.scaled((1, -1, 0.5), xyz(at, 1))],
+}
+RAYS = {
+    "rays": lambda one, at: [one.rays(at.size * random_rows(3), (1, 2, 3), hits=hits) for hits in ("first", "all")],
+}
+CURVE = MOVED | {
+    "join": lambda one, at: [open_form(one).join(open_form(one), word) for word in ("C0", "G1", "C2")],
+    "continuity_to": lambda one, at: one.continuity_to(one),
+    "least_distance": lambda one, at: one.least_distance(at.bezier, 0.1 * at.size),
     "evaluate": lambda one, at: [one.evaluate(inside(one.domain)), one.evaluate(inside(one.domain), side="left"),
                                  one.evaluate(inside(one.domain), dtype=np.float32) if at.fits_single else None],
     "derivatives": lambda one, at: one.derivatives(inside(one.domain), at.order),
@@ -142,11 +158,8 @@ NURBS_CURVE = {
     "clamped": lambda one, at: one.clamped(),
     "unclamped": lambda one, at: one.unclamped(),
     "to_periodic": lambda one, at: one.to_periodic(10 * at.size),
-    "join": lambda one, at: [one.unrolled().join(one.unrolled(), word) for word in ("C0", "G1", "C2")],
-    "transformed": lambda one, at: one.transformed(matrix(at.size)),
     "largest_distance": lambda one, at: one.largest_distance(one.reversed() if one.periodic else one.elevate()),
     "continuity": lambda one, at: one.continuity(inner_knot(one.knots, one.domain)),
-    "continuity_to": lambda one, at: one.continuity_to(one),
     "joints": lambda one, at: one.joints(),
 }
 BEZIER_CURVE = {
@@ -176,7 +189,8 @@ def pairs_of(patch):
     return u, v[::-1]
 
 
-PATCH = {
+PATCH = MOVED | RAYS | {
+    "least_distance": lambda one, at: one.least_distance(at.bezier, 0.1 * at.size),
     "evaluate": lambda one, at: [one.evaluate(*pairs_of(one)), one.evaluate(*pairs_of(one), side=("left", "right"))],
     "evaluate_grid": lambda one, at: one.evaluate_grid(*places_of(one)),
     "evaluate_grid_with_normals": lambda one, at: one.evaluate_grid_with_normals(*places_of(one)),
@@ -211,7 +225,6 @@ RATIONAL_PATCH = {
     "with_weights": lambda one, at: one.with_weights(one.weights),
     "elevate": lambda one, at: [one.elevate(axis) for axis in "uv"],
     "reduce": lambda one, at: [one.reduce(axis) for axis in "uv"],
-    "transformed": lambda one, at: one.transformed(matrix(at.size)),
 }
 NURBS_PATCH = {
     "__init__": lambda one, at: sc.NurbsPatch(one.degree, one.knots, one.points, one.weights, one.periodic),
@@ -245,7 +258,8 @@ def solid(one, at):
     return sc.PatchSet.from_patches([at.patch, sc.BezierPatch(points, at.patch.weights).swapped()])
 
 
-PATCH_SET = {
+PATCH_SET = MOVED | RAYS | {
+    "oriented": lambda one, at: one.oriented(),
     "__init__": lambda one, at: sc.PatchSet(one.points, one.patches, one.weights),
     "from_patches": lambda one, at: sc.PatchSet.from_patches([one[0]]),
     "with_points": lambda one, at: one.with_points(one.points, one.weights),
@@ -330,6 +344,8 @@ METHODS = {
     "Nearest": COPIES,
     "Intersections": COPIES,
     "PatchIntersections": COPIES,
+    "RayHits": COPIES,
+    "LeastDistance": COPIES,
     "Sections": COPIES,
     "StationaryPoints": COPIES,
 }
@@ -400,6 +416,8 @@ def others(at):
     line = sc.BezierCurve([xyz(at, 0, 0, -1), xyz(at, 1, 1, 1)])
     yield lambda: line.intersections(line.reversed())
     yield lambda: line.patch_intersections(sc.BezierPatch(flat))
+    yield lambda: sc.BezierPatch(flat).least_distance(line)
+    yield lambda: sc.BezierPatch(flat).rays(xyz(at, 0.3, 0.4, 1), [(0, 0, -1), (0, 0, 1)])
     yield lambda: sc.BezierPatch(flat).plane_sections(xyz(at, 0.3), (1, 2, 3))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
     upright = at.size * np.array([[(2, j, i) for j in range(3)] for i in range(3)], dtype=float)

@@ -179,9 +179,9 @@ def test_what_cannot_be_joined_is_refused(call, words):
         call()
 
 
-@pytest.mark.parametrize("bad", [None, 3, "curve", semicircle(), [circle()]])
-def test_what_is_no_nurbs_curve_raises_type_error(bad):
-    with pytest.raises(TypeError):
+@pytest.mark.parametrize("bad", [None, 3, "curve", sc.BezierPatch(np.zeros((2, 2, 3))), [circle()]])
+def test_what_is_no_curve_is_refused(bad):
+    with pytest.raises(sc.InvalidShape, match="a curve is expected"):
         circle().join(bad)
 
 

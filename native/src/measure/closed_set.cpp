@@ -8,20 +8,15 @@
 
 namespace splinecore {
 
-namespace {
-
-std::string name_of(std::size_t patch, int side) {
+std::string side_name(std::size_t patch, int side) {
   constexpr std::array<const char*, 4> kNames{"u = start", "u = end", "v = start", "v = end"};
   return "the side " + std::string(kNames[side]) + " of patches" + index_text(patch);
 }
 
-/// Whether the boundary of a patch, with its inside to the left, runs along a side in the direction of its edge.
 int turn_of(int side, const PanelSide& found) {
   const int turn = side == 1 || side == 2 ? 1 : -1;
   return found.reversed ? -turn : turn;
 }
-
-}  // namespace
 
 std::vector<const NurbsPatch*> patches_of(const PatchSet& set) {
   std::vector<const NurbsPatch*> patches;
@@ -38,7 +33,7 @@ void require_closed(const PatchSet& set) {
       const PanelSide& found = panel.sides[side];
       if (found.edge < 0) continue;
       if (counts[found.edge] == 1) {
-        throw InvalidShape(name_of(panel.patch, side) + " meets no other: the patches enclose no volume");
+        throw InvalidShape(side_name(panel.patch, side) + " meets no other: the patches enclose no volume");
       }
       turns[found.edge] += turn_of(side, found);
     }
@@ -46,7 +41,7 @@ void require_closed(const PatchSet& set) {
   for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
       if (panel.sides[side].edge < 0 || turns[panel.sides[side].edge] == 0) continue;
-      throw InvalidShape("beyond " + name_of(panel.patch, side) +
+      throw InvalidShape("beyond " + side_name(panel.patch, side) +
                          " the normals point to the other side: the volume has no sign");
     }
   }

@@ -8,17 +8,11 @@
 #include "base/require.hpp"
 #include "nearest_search.hpp"
 #include "splinecore/base/errors.hpp"
+#include "within_period.hpp"
 
 namespace splinecore {
 
 namespace {
-
-/// A parameter of a periodic shape in its first period, where it goes on at the end.
-double within_period(double u, const KnotVector& knots) {
-  const Interval domain = knots.domain();
-  const bool is_seam = knots.periodic() && u == domain.end && multiplicity(knots, domain.end) <= knots.degree();
-  return is_seam ? domain.start : u;
-}
 
 double distance_to(const NearestPlace& place, const NearPoint& near, const glm::dvec3& point, std::size_t i,
                    const NearSpace& space) {

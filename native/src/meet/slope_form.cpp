@@ -159,6 +159,7 @@ SlopeForm times_weights(const SlopeForm& form, const BernsteinNet<glm::dvec4>& p
 }
 
 BernsteinNet<double> elevated(const BernsteinNet<double>& net, std::size_t rows, std::size_t columns) {
+  if (rows == net.rows && columns == net.columns) return net;
   BernsteinNet<double> ones{rows - net.rows + 1, columns - net.columns + 1, {}};
   ones.values.assign(ones.rows * ones.columns, 1.0);
   return product(net, ones, [](double a, double b) { return a * b; });

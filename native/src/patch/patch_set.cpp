@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "flip.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
@@ -250,9 +251,14 @@ PatchSet PatchSet::of(std::span<const AnyPatch> patches, bool merged) {
   return make(std::move(pool.points), std::move(all));
 }
 
-PatchSet flipped(const PatchSet& set) {
+PatchSet flipped(const PatchSet& set) { return flipped(set, std::vector<bool>(set.patches().size(), true)); }
+
+PatchSet flipped(const PatchSet& set, const std::vector<bool>& which) {
+  if (which.size() != set.patches().size()) throw InvalidShape("which has not one answer for each patch");
   std::vector<IndexedPatch> patches(set.patches().begin(), set.patches().end());
-  for (IndexedPatch& patch : patches) {
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (!which[i]) continue;
+    IndexedPatch& patch = patches[i];
     std::vector<int> indices;
     // Of a Hermite patch the tangents along u become those along v.
     const std::array<std::size_t, 4> order{0, 2, 1, 3};

@@ -1,6 +1,7 @@
 #include "splinecore/patch/transform.hpp"
 
 #include "basis/moebius.hpp"
+#include "curve/affine.hpp"
 #include "lines.hpp"
 #include "splinecore/curve/transform.hpp"
 #include "splinecore/patch/ends.hpp"
@@ -13,6 +14,24 @@ NurbsPatch transformed(const NurbsPatch& patch, const glm::dmat4& matrix) {
 
 BezierPatch transformed(const BezierPatch& patch, const glm::dmat4& matrix) {
   return as_bezier(transformed(patch.nurbs(), matrix));
+}
+
+HermitePatch transformed(const HermitePatch& patch, const glm::dmat4& matrix) {
+  require_affine(matrix, "patch");
+  const glm::dmat3 linear(matrix);
+  HermiteNet net = patch.net();
+  for (glm::dvec3& point : net.points) point = glm::dvec3(matrix * glm::dvec4(point, 1.0));
+  for (auto* vectors : {&net.tangents_u, &net.tangents_v, &net.twists}) {
+    for (glm::dvec3& vector : *vectors) vector = linear * vector;
+  }
+  return patch.with_net(std::move(net));
+}
+
+PatchSet transformed(const PatchSet& set, const glm::dmat4& matrix) {
+  for (const IndexedPatch& patch : set.patches()) {
+    if (patch.kind == PatchKind::hermite) require_affine(matrix, "patch");
+  }
+  return set.with_points(transformed(set.points(), matrix));
 }
 
 NurbsPatch moebius(const NurbsPatch& patch, Axis axis, double rho) {

@@ -3,7 +3,9 @@
 #include <glm/mat4x4.hpp>
 
 #include "splinecore/patch/bezier_patch.hpp"
+#include "splinecore/patch/hermite_patch.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/patch/patch_set.hpp"
 
 namespace splinecore {
 
@@ -14,6 +16,12 @@ namespace splinecore {
 /// @throws InvalidShape if a number is not finite or every point goes to infinity.
 NurbsPatch transformed(const NurbsPatch& patch, const glm::dmat4& matrix);
 BezierPatch transformed(const BezierPatch& patch, const glm::dmat4& matrix);
+
+/// @throws InvalidShape if the map is not affine: the image is no Hermite patch.
+HermitePatch transformed(const HermitePatch& patch, const glm::dmat4& matrix);
+
+/// The same patches on the image of the pool. @throws InvalidShape as of its patches
+PatchSet transformed(const PatchSet& set, const glm::dmat4& matrix);
 
 /// The same surface under the parameter t = rho u / ((1 - u) + rho u) of one direction, u and t in [0, 1] over
 /// its domain, which stays: knots move, and the homogeneous points of a row are multiplied by one factor each
