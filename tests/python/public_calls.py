@@ -72,7 +72,8 @@ MOVED = {
     "scaled": lambda one, at: [one.scaled(2), one.scaled((1, -1, 0.5), xyz(at, 1))],
 }
 RAYS = {
-    "rays": lambda one, at: [one.rays(at.size * random_rows(3), (1, 2, 3), hits=hits) for hits in ("first", "all")],
+    "rays": lambda one, at: [one.rays(at.size * random_rows(3), (1, 2, 3), hits="all"),
+                             one.rays(at.size * random_rows(3), (1, 2, 3)).touches],
 }
 CURVE = MOVED | {
     "join": lambda one, at: [open_form(one).join(open_form(one), word) for word in ("C0", "G1", "C2")],
@@ -417,7 +418,7 @@ def others(at):
     yield lambda: line.intersections(line.reversed())
     yield lambda: line.patch_intersections(sc.BezierPatch(flat))
     yield lambda: sc.BezierPatch(flat).least_distance(line)
-    yield lambda: sc.BezierPatch(flat).rays(xyz(at, 0.3, 0.4, 1), [(0, 0, -1), (0, 0, 1)])
+    yield lambda: sc.BezierPatch(flat).rays(xyz(at, 0.3, 0.4, 1), (0, 0, -1), hits="all")
     yield lambda: sc.BezierPatch(flat).plane_sections(xyz(at, 0.3), (1, 2, 3))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")
     upright = at.size * np.array([[(2, j, i) for j in range(3)] for i in range(3)], dtype=float)
