@@ -12,8 +12,8 @@ from test_damaged import VALUES as DAMAGES
 from test_damaged import definition_damages, operators, put, require_following, stored, witness      # noqa: F401
 
 editing, file_state, handlers, live, messages, net_object, saving, store = (part(name) for name in (
-    'ui.editing', 'bridge.file_state', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.net.net_object', 'ui.saving',
-    'bridge.store'))
+    'ui.editing', 'bridge.data.file_state', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.cage.net_object', 'ui.saving',
+    'bridge.data.store'))
 KINDS = ('nurbs patch', 'hermite patch', 'nurbs', 'hermite')
 
 

@@ -13,8 +13,8 @@ from shapes import VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
 deviations, file_state, handlers, lengths, measures, paint, panel, seen, targets = (part(name) for name in (
-    'bridge.deviations', 'bridge.file_state', 'ui.handlers', 'core.lengths', 'core.sights.deviations', 'ui.deviation_paint',
-    'ui.sights_panel', 'bridge.sights', 'bridge.deviation_targets'))
+    'bridge.analysis.deviations', 'bridge.data.file_state', 'ui.handlers', 'core.base.length_units', 'core.analysis.deviations', 'ui.deviation_paint',
+    'ui.sights_panel', 'bridge.analysis.overlays', 'bridge.analysis.deviation_targets'))
 TURNED = Matrix.Translation((3, -2, 0.5)) @ Euler((0.4, 1.1, -0.3)).to_matrix().to_4x4()
 
 
@@ -312,11 +312,11 @@ def test_what_is_missing_empty_gone_itself_or_elsewhere_is_said(chosen):
 
 def test_a_damaged_or_flat_one_breaks_nothing(chosen):
     other, ob = add(VALUES['bezier patch'](), "other"), add(VALUES['nurbs patch']())
-    other.data[part('bridge.store').KEY]['structure'] = "no"
+    other.data[part('bridge.data.store').KEY]['structure'] = "no"
     chosen.deviation_object = other
     assert deviations.problem(bpy.context.scene, [ob])
     good = plane()
-    ob.data[part('bridge.store').KEY]['structure'] = "no"
+    ob.data[part('bridge.data.store').KEY]['structure'] = "no"
     assert deviations.of(ob, targets.of(good), True)[0] is None and in_the_end(ob, targets.of(good)) == (None, 1)
     flat = add(sphere(), "flat")
     flat.scale = (0, 0, 0)

@@ -8,8 +8,8 @@ from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc, vertices
 
 fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
-    'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape', 'bridge.store',
-    'bridge.versions'))
+    'bridge.data.tessellate', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store',
+    'bridge.data.versions'))
 
 
 @pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set', 'ferguson', 'patch with a point at infinity'))
@@ -55,7 +55,7 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     held = enter()
     select(held, 40)
     writes = []
-    monkeypatch.setattr(part('bridge.write_mesh'), 'write', lambda *arguments: writes.append(arguments))
+    monkeypatch.setattr(part('bridge.mesh.write_mesh'), 'write', lambda *arguments: writes.append(arguments))
     move(0, 0, 0.1)                     # makes them known
     assert not writes
     calls = built(monkeypatch)
@@ -201,7 +201,7 @@ def test_the_end_of_a_gesture_reads_the_faces_of_a_mesh_once_and_says_how_far_it
     select(held, 4)
     move(0, 0, 0.1)
     move(0, 0, 0.1)
-    reads, steps, mesh_layers = [], [], part('bridge.mesh_layers')
+    reads, steps, mesh_layers = [], [], part('bridge.mesh.mesh_layers')
 
     def read(mesh, work=mesh_layers.corner_vertices):
         reads.append(mesh.name)

@@ -10,7 +10,7 @@ from natives import native_curve
 from shapes import VALUES, activate, add, leave, op
 from support import part
 
-editing, shape, messages = part('ui.editing'), part('bridge.shape'), part('ui.messages')
+editing, shape, messages = part('ui.editing'), part('bridge.shape.shape'), part('ui.messages')
 
 
 def revolved(source):
@@ -29,7 +29,7 @@ def test_a_revolve_leads_to_the_net_of_its_profile():
     surface = revolved(profile)
     assert edit_source() == {'FINISHED'} and bpy.context.mode == 'EDIT_CURVE'
     held, = editing.nets_in_edit_mode(bpy.context)
-    assert part('bridge.net.net_object').shape_of(held) == profile
+    assert part('bridge.cage.net_object').shape_of(held) == profile
     leave()
     assert bpy.context.object == profile and not shape.is_touched(surface.data)
 

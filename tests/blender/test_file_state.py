@@ -8,8 +8,8 @@ from shapes import activate, add, enter, leave, move, points, require_exact, sel
 from support import part, splinecore as sc
 
 file_state, fineness, follow, live, problems, settings, shape, store = (part(name) for name in (
-    'bridge.file_state', 'bridge.fineness', 'bridge.follow', 'bridge.net.live', 'bridge.problems', 'bridge.settings',
-    'bridge.shape', 'bridge.store'))
+    'bridge.data.file_state', 'bridge.data.tessellate', 'bridge.follow.follow', 'bridge.net.live', 'bridge.data.problems', 'bridge.data.settings',
+    'bridge.shape.shape', 'bridge.data.store'))
 
 
 def patch():
@@ -80,7 +80,7 @@ def test_a_mistake_of_ours_is_no_advice_and_stops_no_other_follower(monkeypatch,
         activate(source)
         bpy.ops.splinewright.follow_object()
         followers.append(bpy.context.object)
-    derived = part('bridge.derived')
+    derived = part('bridge.follow.recipe_results')
 
     def broken(recipe, values, inputs, *others, work=derived.work):
         if inputs[0] == sources[0]:
@@ -102,7 +102,7 @@ def test_a_mistake_of_ours_in_an_operator_is_no_report(monkeypatch):
 
     def broken(*_):
         raise KeyError("forgotten")
-    monkeypatch.setattr(part('bridge.replacing'), 'do', broken)
+    monkeypatch.setattr(part('bridge.edit.replace_pieces'), 'do', broken)
     with pytest.raises(RuntimeError, match="KeyError"):
         bpy.ops.splinewright.reverse()
 

@@ -11,7 +11,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 
 editing, live, net_object, store = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 #: Kinds, and along which axes they have borders.
 OPEN = [('plain nurbs', 0), ('plain nurbs', 1), ('rational nurbs', 0), ('rational nurbs', 1), ('nurbs patch', 0),
         ('bezier patch', 0), ('bezier patch', 1), ('uniform', 0), ('uniform', 1), ('bilinear', 0), ('cylinder', 1)]
@@ -306,7 +306,7 @@ def test_a_called_off_drag_of_a_border_leads_back_at_once():
     held().data.vertices.foreach_get('co', places)
     move(0, 0, 1)
     assert value() != before
-    edited = part('bridge.net.cage')._Vertices(held())
+    edited = part('bridge.cage.cage')._Vertices(held())
     edited.set_positions(places.reshape(-1, 3))
     edited.tell()
     bpy.context.view_layer.update()

@@ -10,7 +10,7 @@ from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc
 
 cage, dragging, file_state, live, net_object, store = (part(name) for name in (
-    'bridge.net.cage', 'bridge.net.dragging', 'bridge.file_state', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+    'bridge.cage.cage', 'bridge.net.dragging', 'bridge.data.file_state', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 
 
 def step(held, *rows, by=(0.0, 0.0, 0.01)):

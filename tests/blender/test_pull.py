@@ -12,7 +12,7 @@ from shapes import activate, add, enter, leave, numbers_of, op, require_exact, s
 from support import part, splinecore as sc
 
 live, pulling, pull_keys, store, shape = (part(name) for name in (
-    'bridge.net.live', 'core.pulling', 'ui.pull_keys', 'bridge.store', 'bridge.shape'))
+    'bridge.net.live', 'core.deform.pulling', 'ui.pull_keys', 'bridge.data.store', 'bridge.shape.shape'))
 CURVES = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'hermite with corners', 'closed hermite', 'nurbs',
           'periodic', 'uniform', 'circle', 'three knots')
 PATCHES = ('bezier patch', 'hermite patch', 'ferguson', 'nurbs patch', 'rational nurbs', 'both periodic', 'bicubic',
@@ -37,7 +37,7 @@ def middle(ob, number=1):
 
 
 def pieces(ob):
-    return part('core.verbs').pieces_of(store.read(ob.data))
+    return part('core.verbs.verbs').pieces_of(store.read(ob.data))
 
 
 def world(ob, number, at):
@@ -62,7 +62,7 @@ def test_in_object_mode_the_point_arrives(kind):
     after = store.read(ob.data)
     assert np.allclose(world(ob, 1, middle(ob)) - start, BY, rtol=0, atol=1e-6)
     assert (after.pool[:, 3] == before.pool[:, 3]).all() and moved_rows(before, after).any()
-    assert part('core.definition').have_same_pieces(before, after)
+    assert part('core.shape.definition').have_same_pieces(before, after)
     require_exact(ob)
     bpy.ops.ed.undo()
     ob = bpy.data.objects[name]
@@ -108,7 +108,7 @@ def test_neighbors_go_along(in_net):
 
 
 def store_edges(ob):
-    return part('core.definition').to_patch_set(store.read(ob.data)).edge_counts()
+    return part('core.shape.definition').to_patch_set(store.read(ob.data)).edge_counts()
 
 
 def test_a_closed_surface_of_one_patch_stays_closed():

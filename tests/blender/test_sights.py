@@ -9,9 +9,9 @@ from shapes import KINDS, VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
 combs, definitions, faces, frames, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
-    'core.sights.combs', 'core.definition', 'core.sights.faces', 'core.sights.frames', 'core.sights.lines',
-    'ui.sights_overlay', 'ui.surface_paint', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
-    'bridge.store'))
+    'core.analysis.combs', 'core.shape.definition', 'core.analysis.faces', 'core.analysis.frames', 'core.analysis.lines',
+    'ui.sights_overlay', 'ui.surface_paint', 'ui.sights_panel', 'core.analysis.polygon', 'bridge.analysis.overlays',
+    'bridge.data.store'))
 FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]),
                      [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
 

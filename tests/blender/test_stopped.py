@@ -9,7 +9,7 @@ from shapes import activate, add, op
 from support import part, splinecore as sc
 from test_files import reopen, save
 
-follow, hints, stopped, store = part('bridge.follow'), part('ui.hints'), part('ui.stopped'), part('bridge.store')
+follow, hints, stopped, store = part('bridge.follow.follow'), part('ui.hints'), part('ui.stopped'), part('bridge.data.store')
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 

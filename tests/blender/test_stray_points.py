@@ -9,7 +9,7 @@ from shapes import VALUES, add, enter, leave, move, numbers_of, op, require_exac
 from support import part
 
 live, net_object, store, reading = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.net_object', 'bridge.store', 'core.net.reading'))
+    'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store', 'core.net.reading'))
 
 
 def value():

@@ -10,8 +10,8 @@ from support import part
 from test_files import reopen, save
 
 editing, handlers, live, messages, net_object, problems, saving, store = (part(name) for name in (
-    'ui.editing', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.net.net_object', 'bridge.problems', 'ui.saving',
-    'bridge.store'))
+    'ui.editing', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.cage.net_object', 'bridge.data.problems', 'ui.saving',
+    'bridge.data.store'))
 KINDS = ('nurbs patch', 'nurbs', 'hermite')
 
 

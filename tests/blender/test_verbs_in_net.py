@@ -13,7 +13,7 @@ from shapes import OF_CURVES, OF_PATCHES, activate, add, enter, first_point, lea
 from support import part
 from test_menus import Drawn
 
-editing, live, menus, net_object = (part(name) for name in ('ui.editing', 'bridge.net.live', 'ui.menus', 'bridge.net.net_object'))
+editing, live, menus, net_object = (part(name) for name in ('ui.editing', 'bridge.net.live', 'ui.menus', 'bridge.cage.net_object'))
 CURVE, PATCH = names_of(OF_CURVES), names_of(OF_PATCHES)
 CASES = [*((name, 'curve') for name in CURVE), *((name, 'patch') for name in PATCH)]
 VALUES = {'curve': lambda: value_of('nurbs'), 'patch': lambda: patches.value_of('plain nurbs')}

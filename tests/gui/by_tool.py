@@ -17,7 +17,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('bridge.data.file_state').state
 
 
 def value(name):

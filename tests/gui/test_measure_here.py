@@ -19,7 +19,7 @@ def picture(name):
 
 
 def shown():
-    return part('bridge.file_state').state.measured
+    return part('bridge.data.file_state').state.measured
 
 
 def parameters():

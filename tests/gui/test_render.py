@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, part, redrawn, run, until
 
 errands, file_state, handlers, shape, texts = (part(name) for name in (
-    'ui.errands', 'bridge.file_state', 'ui.handlers', 'bridge.shape', 'ui.texts'))
+    'ui.errands', 'bridge.data.file_state', 'ui.handlers', 'bridge.shape.shape', 'ui.texts'))
 FOLDER = Path(os.environ['SPLINEWRIGHT_OUTPUT']) / "frames"
 FRAMES = (2, 5, 8, 11)
 #: Rows of the picture, 16 units high, in which what follows a place, what is keyed and what follows that lie.

@@ -15,7 +15,7 @@ import sys, types
 package = types.ModuleType("splinewright")
 package.__path__, package.__version__ = [sys.argv[1]], sys.argv[2]
 sys.modules["splinewright"] = package
-from splinewright.core import library
+from splinewright.core.base import library
 print(library.problem or "loaded " + library.sc.__file__)
 """
 

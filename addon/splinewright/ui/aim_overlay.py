@@ -6,10 +6,11 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape, surveys
-from ..bridge.file_state import state
-from ..core import aiming
-from ..core.failures import FAILURES
+from ..bridge.analysis import surveys
+from ..bridge.data.file_state import state
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
+from ..core.verbs import parameter_picking
 from . import strokes
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)
@@ -37,7 +38,7 @@ def show(aimed):
     if not shape.has_shape(ob):
         return
     try:
-        lines = [aimed.line] if aimed.line is not None else aiming.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
+        lines = [aimed.line] if aimed.line is not None else parameter_picking.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
     except (*FAILURES, IndexError):
         return                          # the shape is another one meanwhile
     with gpu.matrix.push_pop():

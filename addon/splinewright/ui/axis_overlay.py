@@ -4,9 +4,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import placing, recipes, shape
-from ..bridge.file_state import state
-from ..core.failures import FAILURES
+from ..bridge.data.file_state import state
+from ..bridge.recipes import placing, recipes
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
 from ..core.recipes.surface_recipes import axis_of
 from . import overlaid, strokes
 

@@ -2,8 +2,11 @@
 
 import bpy
 
-from ..bridge import derived, follow, late, placing, recipes, shape, store
-from ..bridge.net import net_object
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.follow import follow, recipe_results
+from ..bridge.recipes import late, placing, recipes
+from ..bridge.shape import shape
 from . import hand, recipe_props, texts
 from .sub_panel import SidePanel
 
@@ -96,7 +99,7 @@ def _draw_following(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     else:
-        for text in derived.not_followed_by(data, sources):
+        for text in recipe_results.not_followed_by(data, sources):
             texts.draw_note(layout, f"Not followed: {text}")
     _draw_update(layout, data)
     _draw_moving(layout, ob)

@@ -4,9 +4,12 @@ import math
 
 import bpy
 
-from ..bridge import held, replacing, store, surveys
-from ..bridge.net import live, net_object
-from ..core import continuity, held_joints
+from ..bridge.analysis import surveys
+from ..bridge.cage import net_object
+from ..bridge.data import held, store
+from ..bridge.edit import replace_pieces
+from ..bridge.net import live
+from ..core.joints import continuity, held_joints
 from . import colors, hand, texts
 from .sub_panel import ClosedPanel
 
@@ -68,7 +71,7 @@ class _Locks:
             texts.draw_problem(layout, str(error))
             layout.operator(f"splinewright.release_{self._of}", text="Release All")
             self._known = {}
-        self._can_change = replacing.seems_changeable(data)
+        self._can_change = replace_pieces.seems_changeable(data)
         self.reasons = []               # why some may not, each once
 
     def holds(self, joint):

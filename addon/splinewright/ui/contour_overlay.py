@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..bridge.file_state import state
-from ..core import contours
-from ..core.failures import FAILURES
+from ..bridge.data.file_state import state
+from ..core.base.failures import FAILURES
+from ..core.drawing import contours
 from . import strokes
 
 _COLOR, _NEXT, _POINT = (0.35, 1.0, 0.5, 1.0), (0.35, 1.0, 0.5, 0.45), (1.0, 1.0, 1.0, 1.0)

@@ -6,8 +6,8 @@ Blender tells no add-on of a mode before it is there: the way back is gone as so
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import shape
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
+from ..bridge.shape import shape
 from . import editing, timers
 
 _TOGGLES = {'OBJECT_OT_editmode_toggle', 'OBJECT_OT_mode_set'}

@@ -6,11 +6,11 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import deviations, sights
-from ..bridge.file_state import state
-from ..core import lengths
-from ..core.failures import FAILURES
-from ..core.sights import deviations as measures
+from ..bridge.analysis import deviations, overlays
+from ..bridge.data.file_state import state
+from ..core.analysis import deviations as measures
+from ..core.base import length_units
+from ..core.base.failures import FAILURES
 from . import legend, strokes, surface_shader, timers
 
 #: Seconds after the last change until distances are measured in the end, and from one part of that to the next.
@@ -24,8 +24,8 @@ _NAME = 20
 class Shown(NamedTuple):
     """What shapes show of one object."""
 
-    obs: list                           # [(object, its core.sights.deviations.Deviation)]
-    words: str                          # of bridge.deviation_targets
+    obs: list                           # [(object, its core.analysis.deviations.Deviation)]
+    words: str                          # of bridge.analysis.deviation_targets
     reach: float                        # the distance that has the last color
     share: float                        # how much is measured in the end, of 1
 
@@ -34,7 +34,7 @@ def draw(chosen, obs):
     """In the 3D view at hand, over the faces of those objects that are surfaces."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'MESH'):
-        batch = sights.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
+        batch = overlays.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
         with strokes.nearer(_PART):
             surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
@@ -45,7 +45,7 @@ def draw_lines(chosen, obs):
     """In the 3D view at hand, along those that are curves."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'CURVE'):
-        lines = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
+        lines = overlays.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
         with gpu.matrix.push_pop(), strokes.nearer():
             gpu.matrix.multiply_matrix(ob.matrix_world)
@@ -59,9 +59,9 @@ def draw_legend(context, chosen, obs):
     if not shown:
         return
     system = context.scene.unit_settings
-    unit = lengths.unit_for(shown.reach, system.system, system.length_unit, system.scale_length)
+    unit = length_units.unit_for(shown.reach, system.system, system.length_unit, system.scale_length)
     name = chosen.deviation_object.name
-    numbers = [lengths.text(part / 4 * shown.reach, unit) for part in range(5)] if shown.obs else []
+    numbers = [length_units.text(part / 4 * shown.reach, unit) for part in range(5)] if shown.obs else []
     legend.draw(context, ["Distance to", name if len(name) <= _NAME else f"{name[:_NAME - 1]}…", f"({shown.words})"],
                 numbers, surface_shader.DISTANCES, _notes(shown, unit))
 
@@ -77,9 +77,9 @@ def _notes(shown, unit):
     if shown.obs:
         largest, mean = measures.over_all([deviation for _, deviation in shown.obs])
         about = "" if shown.share == 1.0 else "≈ "
-        notes.append(f"Largest {about}{lengths.text(largest, unit)}")
+        notes.append(f"Largest {about}{length_units.text(largest, unit)}")
         if len({ob.type for ob, _ in shown.obs}) == 1:
-            notes.append(f"Mean {about}{lengths.text(mean, unit)}")
+            notes.append(f"Mean {about}{length_units.text(mean, unit)}")
     if shown.share < 1.0 and (shown.share > 0.0 or not shown.obs):
         notes.append(f"Measuring: {100 * shown.share:.0f} %")
     return notes
@@ -128,12 +128,12 @@ def _wait():
 
 
 def _surface(data, deviation):
-    known, _, _ = sights.kept(data, 'placed', (), deviations.faces_of)
+    known, _, _ = overlays.kept(data, 'placed', (), deviations.faces_of)
     return surface_shader.batch(known._replace(values=deviation.values.astype(np.float32)))
 
 
 def _lines(data, deviation, reach):
-    pairs = sights.kept(data, 'lines', (), deviations.lines_of)
+    pairs = overlays.kept(data, 'lines', (), deviations.lines_of)
     parts = deviation.values.ravel() / reach if reach > 0.0 else np.zeros(deviation.values.size)
     shades = np.append(surface_shader.colors_at(2.0 * parts - 1.0, surface_shader.DISTANCES), np.ones((parts.size, 1)), 1)
     is_known = np.isfinite(parts.reshape(-1, 2)).all(1)

@@ -2,8 +2,9 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
-               seams_overlay, sections_overlay, sights_overlay, stopped, weight_overlay)
+from . import (aim_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, measure_overlay, messages,
+               numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay, sights_overlay, stopped,
+               weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (

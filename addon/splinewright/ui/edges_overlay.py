@@ -7,7 +7,7 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
 from . import numbers_overlay, picking, strokes
 
 _OTHER = (1.0, 1.0, 1.0, 0.35)

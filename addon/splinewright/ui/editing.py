@@ -5,10 +5,14 @@ from contextlib import nullcontext, suppress
 
 import bpy
 
-from ..bridge import point_keys, problems, recipes, remaking, shape, store
-from ..bridge.file_state import block_of, ended_operators, key, state
-from ..bridge.net import free_net, live, magnet, net_object, selection
-from ..core.failures import FAILURES, Refusal, sentence, told
+from ..bridge.cage import free_net, net_object
+from ..bridge.data import problems, store
+from ..bridge.data.file_state import block_of, ended_operators, key, state
+from ..bridge.keys import point_keys
+from ..bridge.net import live, magnet, selection
+from ..bridge.recipes import recipes
+from ..bridge.shape import recipe_edit, shape
+from ..core.base.failures import FAILURES, Refusal, sentence, told
 from . import progress
 
 
@@ -130,10 +134,10 @@ def _put_out(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    definition = remaking.edited(data)
+    definition = recipe_edit.edited(data)
     numbers = net_object.net_of(definition)
-    is_free = remaking.takes_any_count(data)
-    is_closed = is_free and remaking.is_closed(data)
+    is_free = recipe_edit.takes_any_count(data)
+    is_closed = is_free and recipe_edit.is_closed(data)
     held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
     if is_free:
         free_net.set_free(held.data, is_closed)

@@ -9,7 +9,7 @@ import traceback
 
 import bpy
 
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
 
 #: Seconds that a thread waits. The main one takes as long only where it waits for that very thread.
 _PATIENCE = 10.0

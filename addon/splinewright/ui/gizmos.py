@@ -5,8 +5,8 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-from ..bridge import sights
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
+from ..bridge.data.settings import overlays_of
 from ..bridge.net import live, weighing
 from . import aim_overlay, editing, hand, hints, keymaps, knot_strip, measure_overlay, numbers_overlay, toolbar
 from .operators import at_sides, curve_here, insert_here, measure_here, move_knot, weight_here
@@ -109,7 +109,7 @@ class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):
     @classmethod
     def poll(cls, context):
         nets = editing.nets_in_edit_mode(context)
-        if not nets or not (sights.of(context.scene).weights or toolbar.is_active(context, "weight")):
+        if not nets or not (overlays_of(context.scene).weights or toolbar.is_active(context, "weight")):
             return False
         return context.space_data.show_gizmo and middle(context) is not None
 

@@ -2,9 +2,12 @@
 
 import numpy as np
 
-from ..bridge import recipes, settings, shape, store
-from ..bridge.file_state import state
-from ..bridge.net import live, net_object, selection
+from ..bridge.cage import net_object
+from ..bridge.data import settings, store
+from ..bridge.data.file_state import state
+from ..bridge.net import live, selection
+from ..bridge.recipes import recipes
+from ..bridge.shape import shape
 from . import editing
 
 _NAMES = ('piece', 'other_piece')
@@ -79,7 +82,7 @@ def take(data, number, is_other=False):
 
 
 def keep(data, parents):
-    """After a verb, in hand is the first piece of those that came from it. parents: as of core.verbs.Changed."""
+    """After a verb, in hand is the first piece of those that came from it. parents: as of core.verbs.verbs.Changed."""
     chosen = settings.of(data)
     for name in _NAMES:
         number = getattr(chosen, name)

@@ -5,10 +5,14 @@ import sys
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import deviation_targets, follow, keyed, late, recipes, transforming, versions
-from ..bridge.file_state import ended_operators, forget, key, look_again, state
-from ..bridge.net import dragging, live
+from ..bridge.analysis import deviation_targets
+from ..bridge.data import versions
+from ..bridge.data.file_state import ended_operators, forget, key, look_again, state
+from ..bridge.edit import transforming
+from ..bridge.follow import follow
+from ..bridge.net import dragging, keyed, live
 from ..bridge.net.growing import Moment
+from ..bridge.recipes import late, recipes
 from . import deviation_paint, editing, errands, hints, messages, saving, texts, timers
 
 #: Seconds after the last move until a shape gets its exact normals.

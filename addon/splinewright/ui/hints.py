@@ -3,8 +3,9 @@ stay beside it."""
 
 import bpy
 
-from ..bridge import sights, versions
-from ..bridge.file_state import state
+from ..bridge.data import versions
+from ..bridge.data.file_state import state
+from ..bridge.data.settings import overlays_of
 from . import editing, keymaps, preferences, stopped, toolbar
 
 _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
@@ -22,7 +23,7 @@ def said(context):
     """[(icons of keys, words)] for what is at hand; none while something else is going on."""
     if not preferences.get().show_hints or state.status or _is_busy(context.window):
         return []
-    if state.pointed_knot and sights.of(context.scene).strip:
+    if state.pointed_knot and overlays_of(context.scene).strip:
         return _on_strip(is_at_knot=state.pointed_knot.mark is not None)
     tool = toolbar.active(context)
     keys = [(list(icons), words) for icons, words in tool.keys] if tool else []

@@ -6,8 +6,8 @@ Blender tells no add-on of a join before it is done: what was selected at the la
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import shape
-from ..bridge.file_state import ended_operators, state
+from ..bridge.data.file_state import ended_operators, state
+from ..bridge.shape import shape
 from . import texts
 
 _WIDTH = 60

@@ -1,6 +1,7 @@
 """What is selected, of what menus and panels concern."""
 
-from ..bridge import baking, shape
+from ..bridge.edit import baking
+from ..bridge.shape import shape
 
 SHAPES = frozenset({'curve', 'patch'})
 #: What shapes can be made from.

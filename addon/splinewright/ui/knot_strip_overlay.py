@@ -8,10 +8,11 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import sights
-from ..bridge.file_state import state
-from ..core import knot_strip
-from . import colors, hints, knot_strip as strip
+from ..bridge.analysis import overlays
+from ..bridge.data.file_state import state
+from ..core.verbs import knot_strip
+from . import knot_strip as strip
+from . import colors, hints
 
 #: In pixels of an interface that is not scaled.
 _SIZE, _GAP, _EDGE, _TEXT_ABOVE, _TEXT_BELOW = 11.0, 8.0, 3.0, 9.5, -17.0
@@ -50,7 +51,7 @@ def draw():
             hints.redraw(context)
         return
     looks = found.boxes, found.spans, found.scale, colors.of_net(), _moved(found)
-    picture = sights.kept(found.ob.data, ('strip picture', context.region.as_pointer()), (found.number, *looks),
+    picture = overlays.kept(found.ob.data, ('strip picture', context.region.as_pointer()), (found.number, *looks),
                           lambda *_: _picture(found, *looks[3:]))
     if picture is not None:
         _draw(picture, found.scale)

@@ -7,8 +7,8 @@ import gpu
 import numpy as np
 from mathutils import Matrix
 
-from ..bridge.file_state import state
-from ..core import measured
+from ..bridge.data.file_state import state
+from ..core.analysis import measured
 from . import colors, messages, mouse_words, picking, strokes
 
 #: Of an arm, in pixels of an interface that is not scaled.

@@ -4,10 +4,12 @@ patches, in the sidebar."""
 import bpy
 import numpy as np
 
-from ..bridge import store, surveys
-from ..bridge.net import net_object
-from ..core import decimals, measured
-from ..core.failures import FAILURES, sentence
+from ..bridge.analysis import surveys
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..core.analysis import measured
+from ..core.base import decimals
+from ..core.base.failures import FAILURES, sentence
 from . import hand, texts
 from .sub_panel import ClosedPanel
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import read_polygons
+from ..bridge.shape import read_polygons
 from . import editing, hand, kinds, menu_table, offered
 
 

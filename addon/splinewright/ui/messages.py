@@ -5,9 +5,11 @@ import blf
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import problems, shape
-from ..bridge.file_state import ended_operators, state
-from ..bridge.net import live, net_object
+from ..bridge.cage import net_object
+from ..bridge.data import problems
+from ..bridge.data.file_state import ended_operators, state
+from ..bridge.net import live
+from ..bridge.shape import shape
 from . import colors, editing, knot_strip_overlay
 
 #: What is in the way, and what is good to know.

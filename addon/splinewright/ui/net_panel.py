@@ -2,9 +2,12 @@
 
 import bpy
 
-from ..bridge import recipes, sights, store
-from ..bridge.net import live, net_object
-from ..core import describe
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.data.settings import overlays_of
+from ..bridge.net import live
+from ..bridge.recipes import recipes
+from ..core.shape import describe
 from . import hand, handles_panel, net_props, texts
 from .sub_panel import SidePanel
 
@@ -44,7 +47,7 @@ def draw_state(layout, ob):
         return
     if ob.mode == 'EDIT':
         layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
-        layout.prop(sights.of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
+        layout.prop(overlays_of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
     else:
         layout.operator("splinewright.edit_net", text=f"Continue with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)

@@ -7,8 +7,9 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape, surveys
-from ..bridge.file_state import state
+from ..bridge.analysis import surveys
+from ..bridge.data.file_state import state
+from ..bridge.shape import shape
 from . import hand, picking, strokes
 
 #: Of other pieces, of those in hand, of the one at the mouse.

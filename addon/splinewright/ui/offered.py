@@ -2,7 +2,10 @@
 
 import bpy
 
-from ..bridge import recipes, shape, store, surveys
+from ..bridge.analysis import surveys
+from ..bridge.data import store
+from ..bridge.recipes import recipes
+from ..bridge.shape import shape
 from . import hand, kinds
 
 #: With two shapes selected they take a piece of each.

@@ -6,7 +6,7 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge.file_state import key, state
+from ..bridge.data.file_state import key, state
 from ..bridge.net import live, selection
 from . import colors, editing, strokes
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
 from . import strokes
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)

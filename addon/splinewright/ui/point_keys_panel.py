@@ -3,9 +3,11 @@
 import bpy
 import numpy as np
 
-from ..bridge import point_keying, point_keys, store
-from ..bridge.net import live, net_object, selection
-from ..core import keyed_rows
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.keys import point_keys
+from ..bridge.net import live, point_keying, selection
+from ..core.shape import keyed_rows
 from . import hand, net_panel, texts
 from .sub_panel import SubPanel
 

@@ -4,9 +4,9 @@ import bpy
 import rna_keymap_ui
 from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import settings
-from ..bridge.file_state import state
-from ..core import library
+from ..bridge.data import settings
+from ..bridge.data.file_state import state
+from ..core.base import library
 from . import addresses, keymaps, manual, texts
 
 _NAME = __package__.rpartition('.')[0]

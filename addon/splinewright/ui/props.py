@@ -3,10 +3,13 @@
 import bpy
 from bpy.props import PointerProperty
 
-from ..bridge import follow, late, problems, settings, shape, store
-from ..bridge.file_state import state
+from ..bridge.data import problems, settings, store
+from ..bridge.data.file_state import state
+from ..bridge.follow import follow
 from ..bridge.net import live
-from ..core.failures import FAILURES, sentence
+from ..bridge.recipes import late
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES, sentence
 from . import progress
 
 #: Types of data-blocks that can hold a shape.

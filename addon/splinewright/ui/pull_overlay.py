@@ -6,8 +6,8 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
+from ..bridge.shape import shape
 from . import strokes
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)

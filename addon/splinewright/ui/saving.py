@@ -9,10 +9,13 @@ from typing import NamedTuple
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow, late, problems
-from ..bridge.file_state import state
-from ..bridge.net import live, magnet, net_object
-from ..core.failures import told
+from ..bridge.cage import net_object
+from ..bridge.data import problems
+from ..bridge.data.file_state import state
+from ..bridge.follow import follow
+from ..bridge.net import live, magnet
+from ..bridge.recipes import late
+from ..core.base.failures import told
 from . import editing
 
 

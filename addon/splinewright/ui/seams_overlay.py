@@ -4,9 +4,9 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import sights, surveys
-from ..core import seams
-from ..core.sights import lines
+from ..bridge.analysis import overlays, surveys
+from ..core.analysis import lines
+from ..core.joints import seams
 from . import colors, hand, strokes
 
 #: Pixels of a seam and of the rim on either side, on an interface that is not scaled.
@@ -26,7 +26,7 @@ def draw():
     ob = shape_in_hand(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return
-    prepared = sights.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)
+    prepared = overlays.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
     with gpu.matrix.push_pop(), strokes.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)

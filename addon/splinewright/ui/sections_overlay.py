@@ -8,9 +8,11 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import placing, recipes, shape, surveys
-from ..bridge.file_state import state
-from ..core.failures import FAILURES
+from ..bridge.analysis import surveys
+from ..bridge.data.file_state import state
+from ..bridge.recipes import placing, recipes
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
 from . import numbers_overlay, overlaid, picking, strokes
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)

@@ -3,9 +3,10 @@
 import bpy
 import gpu
 
-from ..bridge import images, shape, sights
-from ..bridge.file_state import state
-from ..bridge.net import net_object
+from ..bridge.cage import net_object
+from ..bridge.data.file_state import state
+from ..bridge.data.settings import overlays_of
+from ..bridge.shape import images, shape
 from . import deviation_paint, editing, sights_strokes, strokes, surface_paint
 from .sights_strokes import SIGHTS
 
@@ -49,7 +50,7 @@ def draw_legend():
 
 def _chosen(switches, is_any_on=False):
     """The switches, or None where all of these are off, or overlays are."""
-    chosen = sights.of(bpy.context.scene)
+    chosen = overlays_of(bpy.context.scene)
     is_any_on = is_any_on or any(getattr(chosen, switch) for switch in switches)
     return chosen if is_any_on and bpy.context.space_data.overlay.show_overlays else None
 

@@ -3,8 +3,10 @@ Overlays popover, where there is little room."""
 
 import bpy
 
-from ..bridge import deviations, shape, sights
-from ..bridge.net import net_object
+from ..bridge.analysis import deviations
+from ..bridge.cage import net_object
+from ..bridge.data.settings import overlays_of
+from ..bridge.shape import shape
 from . import kinds, sights_overlay, texts
 from .sub_panel import ClosedPanel
 
@@ -36,7 +38,7 @@ class SPLINEWRIGHT_PT_analysis(ClosedPanel, bpy.types.Panel):
         return _has_sights(context.object)
 
     def draw(self, context):
-        chosen, space = sights.of(context.scene), context.space_data
+        chosen, space = overlays_of(context.scene), context.space_data
         if space is not None and not space.overlay.show_overlays:
             texts.draw_note(self.layout, "The overlays of this view are off")
         drawn = set()                   # one setting may belong to several switches
@@ -68,7 +70,7 @@ def _draw_settings(column, chosen, names):
 
 
 def _draw_problem(layout, context, width=None):
-    said = deviations.problem(context.scene, sights_overlay.shapes_in_hand(context)) if sights.of(context.scene).deviation else ""
+    said = deviations.problem(context.scene, sights_overlay.shapes_in_hand(context)) if overlays_of(context.scene).deviation else ""
     if said:
         texts.draw_problem(layout, said, width)
 
@@ -86,7 +88,7 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
 
     def draw(self, context):
         """Few rows, as Blender's own leave no more room on a usual screen: the settings are in the sidebar."""
-        chosen, space = sights.of(context.scene), context.space_data
+        chosen, space = overlays_of(context.scene), context.space_data
         column = self.layout.column()
         column.active = space is None or space.overlay.show_overlays
         grid = column.grid_flow(row_major=True, columns=2, even_columns=True)

@@ -3,9 +3,9 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty
 
-from ..bridge import deviation_targets
-from ..bridge.file_state import state
-from ..bridge.net import net_object
+from ..bridge.analysis import deviation_targets
+from ..bridge.cage import net_object
+from ..bridge.data.file_state import state
 from . import editing
 
 

@@ -7,7 +7,7 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import follow
+from ..bridge.follow import follow
 from . import colors, messages, picking
 
 #: In pixels of an interface that is not scaled.

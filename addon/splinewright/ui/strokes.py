@@ -10,7 +10,7 @@ import numpy as np
 from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
-from ..bridge import versions
+from ..bridge.data import versions
 
 #: Within nearer() all is nearer to the eye by this part of its distance.
 _NEARER = 2e-3

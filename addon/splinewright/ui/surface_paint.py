@@ -5,8 +5,9 @@ from typing import NamedTuple
 import bpy
 import gpu
 
-from ..bridge import images, sights
-from ..core.sights import faces
+from ..bridge.analysis import overlays
+from ..bridge.shape import images
+from ..core.analysis import faces
 from . import legend, strokes, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
@@ -42,12 +43,12 @@ def _draw(chosen, batch, matrix, reach):
 def _painted(chosen, obs):
     """[(object, Painted)]."""
     what = ('curvature', (chosen.curvature_kind,)) if chosen.curvature else ('faces', (None,))
-    found = [(ob, sights.kept(ob.data, *what, _paint)) for ob in obs if ob.type == 'MESH']
+    found = [(ob, overlays.kept(ob.data, *what, _paint)) for ob in obs if ob.type == 'MESH']
     return [(ob, painted) for ob, painted in found if painted is not None]
 
 
 def _paint(data, value):
-    found = sights.faces_of(data, value)
+    found = overlays.faces_of(data, value)
     return Painted(surface_shader.batch(found), faces.reach(found))
 
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import bpy
 
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
 from . import messages, mouse_words
 
 

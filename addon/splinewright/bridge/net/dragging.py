@@ -6,9 +6,13 @@ out and writes positions, and leaves the rest alone.
 
 from typing import Any, NamedTuple
 
-from .. import held, keyed, point_keys, recipes, shape
-from ..file_state import ended_operators, key, look_again, state
-from . import cage, live, net_object
+from ..cage import cage, net_object
+from ..data import held
+from ..data.file_state import ended_operators, key, look_again, state
+from ..keys import point_keys
+from ..recipes import recipes
+from ..shape import shape
+from . import keyed, live
 
 
 class Drag(NamedTuple):

@@ -9,8 +9,9 @@ from enum import IntEnum
 import numpy as np
 
 from ...core.net import grown, grown_cage, reading
-from ..file_state import look_again
-from . import net_object, stages
+from ..cage import net_object
+from ..data.file_state import look_again
+from . import stages
 
 
 class Moment(IntEnum):

@@ -3,10 +3,12 @@
 import bpy
 import numpy as np
 
-from ...core import handles
-from ...core.failures import Refusal
-from .. import keyed_seams, shape
-from . import live, net_object, selection
+from ...core.base.failures import Refusal
+from ...core.net import handles
+from ..cage import net_object
+from ..keys import keyed_seams
+from ..shape import shape
+from . import live, selection
 from .growing import Moment
 
 

@@ -9,16 +9,21 @@ import time
 import bpy
 import numpy as np
 
-from ...core import definition as definitions
-from ...core.arrays import are_equal
-from ...core.failures import FAILURES, Refusal, sentence, told
-from ...core.library import sc
-from ...core.moved_positions import MovedPositions
+from ...core.base.arrays import are_equal
+from ...core.base.failures import FAILURES, Refusal, sentence, told
+from ...core.base.library import sc
 from ...core.net import exact_net, last_reading, reading
-from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
-                write_mesh)
-from ..file_state import ended_operators, look_again, state
-from . import along, cage, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
+from ...core.shape import definition as definitions
+from ...core.shape.moved_positions import MovedPositions
+from ..cage import cage, free_net, net_object, settings_number
+from ..curve import curve_layers
+from ..data import problems, settings, store, tessellate
+from ..data.file_state import ended_operators, look_again, state
+from ..keys import point_keys
+from ..mesh import stamp, write_mesh
+from ..recipes import recipes
+from ..shape import recipe_edit, shape
+from . import along, curve_extras, growing, holding, keyed_stages, stages
 from .growing import Moment
 
 
@@ -110,7 +115,7 @@ class Session:
         """The shape has these faces now."""
         if faces is not self.faces:
             self._moved = None
-        self.faces, self._fineness, self.stamp = faces, fineness.of(data), store.read_stamp(data)
+        self.faces, self._fineness, self.stamp = faces, tessellate.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
         """What a number in the net stands for: from now on the present values, where it is new or none of ours."""
@@ -146,12 +151,12 @@ class Session:
 
     def _has_faces(self, data, known):
         """Whether the shape has the faces that are known here. known: its stamp."""
-        return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
+        return (self.faces is not None and known is not None and self._fineness == tessellate.of(data)
                 and stamp.same_topology(self.stamp, known))
 
     def final_faces(self, data):
         """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
-        return self.faces if self._has_faces(data, store.read_stamp(data)) and fineness.by_count(data) else None
+        return self.faces if self._has_faces(data, store.read_stamp(data)) and tessellate.by_count(data) else None
 
     def moved(self, data, known, patch_set):
         """The MovedPositions on the faces that the shape has, or None where it needs others. known: its stamp."""
@@ -345,7 +350,7 @@ def _follow(data, ob, current, moment):
     notes = current.stage.note, found.note, current.released, current.lost
     problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
-        return remaking.follow_net(data, definition), found.problem
+        return recipe_edit.follow_net(data, definition), found.problem
     were_said = definition.has_curves and curve_extras.has_types(data)
     is_changed = _show(data, definition, current)
     if definition.has_curves:
@@ -368,7 +373,7 @@ def _read(data, ob, current):
 
 def _last(data, net):
     """The Net of a shape as it is; that which its net was made with where they do not compare."""
-    last = net_object.net_of(remaking.edited(data))
+    last = net_object.net_of(recipe_edit.edited(data))
     return last if np.array_equal(last.origins, net.origins) else net
 
 
@@ -377,12 +382,12 @@ def _follow_points(data, ob, current):
     is_turned = free_net.is_turned(ob.data)
     current.show(free_net.read(ob.data, current.made_with))
     try:
-        return remaking.follow_points(data, current.net, is_turned), ""
+        return recipe_edit.follow_points(data, current.net, is_turned), ""
     except FAILURES:
         others = free_net.without_copies(ob.data, current.net)
         if others is None:
             raise
-    is_changed = remaking.follow_points(data, others, is_turned)
+    is_changed = recipe_edit.follow_points(data, others, is_turned)
     problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
     return is_changed, ""
 

@@ -3,9 +3,9 @@
 Blender excludes objects that cannot be selected, where its *Exclude Non-Selectable* is on. Both are put back as they were.
 """
 
-from .. import recipes
-from ..file_state import key, state
-from . import net_object
+from ..cage import net_object
+from ..data.file_state import key, state
+from ..recipes import recipes
 
 #: On an object: whether it could not be selected before. Undo brings it back as it was; settings of tools it leaves as they are.
 _WAS = "splinewright_magnet_was"

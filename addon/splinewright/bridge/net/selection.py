@@ -5,8 +5,8 @@ import numpy as np
 
 from ...core.net import reading
 from ...core.net.reading import ChangedNet
-from ..file_state import key, state
-from . import cage, free_net, net_object, net_splines
+from ..cage import cage, free_net, net_object, net_splines
+from ..data.file_state import key, state
 
 
 def selected(ob, net):

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...core.failures import Refusal
+from ...core.base.failures import Refusal
 from . import live, selection
 
 

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import are_equal
-from ..definition import Definition
+from ..base.arrays import are_equal
+from ..shape.definition import Definition
 from .exact_net import Exact, in_rows
 
 

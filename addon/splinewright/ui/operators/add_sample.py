@@ -5,8 +5,8 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import fineness, store
-from ...core.failures import FAILURES
+from ...bridge.data import store, tessellate
+from ...core.base.failures import FAILURES
 from . import polls, reports
 
 FOLDER = Path(__file__).resolve().parents[2] / "samples"
@@ -41,7 +41,7 @@ class SPLINEWRIGHT_OT_add_sample(bpy.types.Operator):
             context.window.scene = scene
         for ob in collection.objects:
             if ob.type == 'MESH' and store.has_definition(ob.data):
-                ob.data.splinewright.mode = fineness.AUTOMATIC
+                ob.data.splinewright.mode = tessellate.AUTOMATIC
         _look_at_all(context)
         return reports.finished(self, reports.Said(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
 

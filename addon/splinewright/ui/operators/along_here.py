@@ -6,10 +6,11 @@ from contextlib import suppress
 import bpy
 from bpy.props import FloatProperty
 
-from ...bridge import recipes
-from ...bridge.net import live, net_object
-from ...core import decimals
-from ...core.failures import FAILURES, sentence
+from ...bridge.cage import net_object
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, sentence
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ...bridge import replacing
-from ...bridge.file_state import state
-from ...core.failures import FAILURES
+from ...bridge.data.file_state import state
+from ...bridge.edit import replace_pieces
+from ...core.base.failures import FAILURES
 from .. import hand, picking
 from . import patch_join, polls, reports
 from .pointing import Pointing, given, redraw, take_again
@@ -61,7 +61,7 @@ def side_at(context, x, y, pieces):
 
 
 def patches_of(obs):
-    return [(ob, number) for ob in obs if replacing.is_patch_shape(ob) and ob.visible_get() for number in hand.counted(ob.data)]
+    return [(ob, number) for ob in obs if replace_pieces.is_patch_shape(ob) and ob.visible_get() for number in hand.counted(ob.data)]
 
 
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
@@ -80,7 +80,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
 
     def pieces(self, context, picked):
         found = patches_of({ob.name: ob for ob in (context.object, *context.selected_objects)}.values())
@@ -104,7 +104,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_patch_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
             cls.poll_message_set("Select a patch shape in Object Mode")
             return False
         return True

@@ -4,9 +4,11 @@ import bpy
 from bpy.props import FloatVectorProperty, StringProperty
 from mathutils import Matrix, Vector
 
-from ...bridge import follow, recipes, shape
-from ...bridge.file_state import state
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data.file_state import state
+from ...bridge.follow import follow
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from .. import edge_picking
 from . import polls, reports
 from .pointing import Pointing, redraw

@@ -3,8 +3,9 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import baking, shape
-from ...core.failures import FAILURES
+from ...bridge.edit import baking
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
 from .. import progress
 from . import polls, reports
 from .selected import OnSelected

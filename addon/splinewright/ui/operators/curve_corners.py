@@ -3,9 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ...bridge import joining, replacing, store
-from ...core import decimals, meeting, verbs
-from ...core.failures import FAILURES
+from ...bridge.data import store
+from ...bridge.edit import joining, replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.meets import meeting
+from ...core.verbs import verbs
 from .. import hand
 from . import pieces, polls, reports
 from .on_shapes import OnCurves
@@ -94,7 +97,7 @@ class _Between:
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
         hand.begin_pair(self, context)

@@ -4,10 +4,13 @@ from functools import partial
 
 import bpy
 
-from ...bridge import beside, replacing, surveys
-from ...bridge.file_state import state
-from ...core import decimals, meeting
-from ...core.failures import FAILURES
+from ...bridge.analysis import surveys
+from ...bridge.data.file_state import state
+from ...bridge.edit import replace_pieces
+from ...bridge.follow import neighboring_curves
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.meets import meeting
 from .. import aim_overlay, hand, picking
 from . import curve_corners, curve_meeting, polls, reports
 from .insert_here import ByClick
@@ -31,7 +34,7 @@ class _OnCurve(ByClick):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_curve_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_curve_shape, context.selected_objects)):
             cls.poll_message_set("Select a curve shape in Object Mode")
             return False
         return super().poll(context)
@@ -49,7 +52,7 @@ class _OnCurve(ByClick):
 
     @classmethod
     def meant(cls, context):
-        return list(filter(replacing.is_curve_shape, super().meant(context)))
+        return list(filter(replace_pieces.is_curve_shape, super().meant(context)))
 
     @classmethod
     def with_line(cls, context, aimed, meet, known):
@@ -59,7 +62,7 @@ class _OnCurve(ByClick):
         ob = bpy.data.objects[aimed.name]
         obs = context.selected_objects if meet == 'SELECTED' else context.visible_objects
         try:
-            curves = once(known, (ob.name, meet), lambda: [*surveys.pieces_of(ob.data), *beside.curves_of(
+            curves = once(known, (ob.name, meet), lambda: [*surveys.pieces_of(ob.data), *neighboring_curves.curves_of(
                 ob, obs, context.evaluated_depsgraph_get())])
             line = cls.line_of(curves, aimed, partial(once, known))
         except FAILURES:
@@ -132,7 +135,7 @@ class _PicksCurves(Pointing):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     @staticmethod
     def operator():

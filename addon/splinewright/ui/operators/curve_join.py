@@ -3,9 +3,10 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import joining, replacing, store
-from ...core import joints
-from ...core.failures import FAILURES
+from ...bridge.data import store
+from ...bridge.edit import joining, replace_pieces
+from ...core.base.failures import FAILURES
+from ...core.joints import joints
 from .. import hand, scene_tolerance
 from . import polls, reports
 from .pick_piece import draw_number
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
         hand.begin_pair(self, context)
@@ -66,15 +67,15 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_description = "Join pieces of a curve shape where their ends meet, and remove unnecessary knots"
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
-    fits = staticmethod(replacing.is_curve_shape)
+    fits = staticmethod(replace_pieces.is_curve_shape)
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
 
     def work(self, context, ob):
-        replacing.require_changeable(ob.data)
+        replace_pieces.require_changeable(ob.data)
         before = store.read(ob.data)
         changed = joints.chained(before, self.tolerance)
-        replacing.put(ob.data, before, changed)
+        replace_pieces.put(ob.data, before, changed)
         hand.keep(ob.data, changed.parents)
         return before, changed
 
@@ -95,7 +96,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         chosen = context.selected_objects
-        if context.object not in chosen or len(chosen) < 2 or not all(map(replacing.is_curve_shape, chosen)):
+        if context.object not in chosen or len(chosen) < 2 or not all(map(replace_pieces.is_curve_shape, chosen)):
             cls.poll_message_set("Select two curve shapes or more, the one to keep last")
             return False
         return True

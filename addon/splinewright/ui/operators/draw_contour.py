@@ -8,10 +8,11 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import remaking, shape
-from ...bridge.file_state import state
-from ...core import contours, decimals, guides, typed_number
-from ...core.failures import FAILURES
+from ...bridge.data.file_state import state
+from ...bridge.shape import recipe_edit, shape
+from ...core.base import decimals, typed_number
+from ...core.base.failures import FAILURES
+from ...core.drawing import contours, guides
 from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
 from . import new_shapes, reports
@@ -111,7 +112,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return shape.new_data("Contour", contours.curve_of(drawn), new_shapes.start(self))
         values = {'corners': 'round', 'corner_size': decimals.typed(self.radius), 'closed': drawn.closed and len(drawn.points) > 2,
                   'arcs': ", ".join(map(str, drawn.sides()))}
-        return remaking.new_data("Contour", RECIPES['contour'], values, np.array(drawn.points), new_shapes.start(self))
+        return recipe_edit.new_data("Contour", RECIPES['contour'], values, np.array(drawn.points), new_shapes.start(self))
 
     def draw(self, context):
         self.layout.use_property_split = True

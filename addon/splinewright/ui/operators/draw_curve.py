@@ -6,11 +6,12 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import parameters, recipes, remaking
-from ...bridge.file_state import state
-from ...core import polylines
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data.file_state import state
+from ...bridge.recipes import parameters, recipes
+from ...bridge.shape import recipe_edit
+from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import RECIPES
+from ...core.shape import polylines
 from .. import picking, recipe_props
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
@@ -77,7 +78,7 @@ class _Pen:
         try:
             require_place(context)
             points = _points_of(self.stroke)
-            data = remaking.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
+            data = recipe_edit.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
         except FAILURES as error:
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)

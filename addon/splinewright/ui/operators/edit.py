@@ -2,9 +2,9 @@
 
 import bpy
 
-from ...bridge import shape
-from ...bridge.net import net_object
-from ...core.failures import FAILURES
+from ...bridge.cage import net_object
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
 from .. import editing, hand, messages, progress, texts
 from . import polls, reports
 

@@ -3,8 +3,10 @@
 import bpy
 from bpy.props import EnumProperty, StringProperty
 
-from ...bridge import recipes, shape, store
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from .. import editing, texts
 from . import polls, reports
 

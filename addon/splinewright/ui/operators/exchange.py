@@ -8,12 +8,13 @@ import numpy as np
 from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape, store, versions
-from ...core import transform
-from ...core import definition as definitions
-from ...core.definition import ANY_CURVES
-from ...core.failures import FAILURES, Refusal, sentence
-from ...core.library import sc
+from ...bridge.data import blocks, store, versions
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.library import sc
+from ...core.shape import definition as definitions
+from ...core.shape import transform
+from ...core.shape.definition import ANY_CURVES
 from .. import progress
 from . import new_shapes, reports
 from .adding import can_add, resolution_property

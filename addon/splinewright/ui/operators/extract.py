@@ -3,8 +3,8 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import extracting
-from ...core import patch_curves
+from ...bridge.edit import extracting
+from ...core.verbs import patch_curves
 from . import reports
 from .adding import Repeatable, can_add
 from .on_shapes import AtParameters, OnPatches, direction_property

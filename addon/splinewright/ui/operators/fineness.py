@@ -3,9 +3,12 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
-from ...core import decimals
-from ...core.failures import Refusal
+from ...bridge.data import problems, settings, tessellate
+from ...bridge.edit import replace_pieces
+from ...bridge.mesh import mesh_looks
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import Refusal
 from .. import hand
 from . import reports
 from .pick_piece import draw_number
@@ -14,7 +17,7 @@ from .selected import OnSelected
 
 class _OnPatches(OnSelected):
     needs = "Select a shape of patches"
-    fits = staticmethod(replacing.is_patch_shape)
+    fits = staticmethod(replace_pieces.is_patch_shape)
 
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
@@ -28,7 +31,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
 
     def work(self, context, ob):
         depsgraph = context.evaluated_depsgraph_get()
-        tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
+        tolerance = self.pixels * tessellate.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
         shape.require_writable(ob.data)
         before, chosen = len(ob.data.polygons), settings.of(ob.data)
         least = chosen.bl_rna.properties['tolerance'].hard_min

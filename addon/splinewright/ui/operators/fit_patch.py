@@ -5,10 +5,10 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
-from ...bridge import shape
-from ...core import decimals, vertex_grid
-from ...core.failures import FAILURES, Refusal
-from ...core.library import sc
+from ...bridge.shape import shape
+from ...core.base import decimals, vertex_grid
+from ...core.base.failures import FAILURES, Refusal
+from ...core.base.library import sc
 from .. import editing, progress
 from . import new_shapes, reports
 from .add_patch import draw_pairs

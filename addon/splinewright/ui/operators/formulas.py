@@ -3,9 +3,11 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import replacing, store
-from ...core import decimals, formulas, teaching
-from ...core.failures import FAILURES
+from ...bridge.data import store
+from ...bridge.edit import replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.formulas import formulas, teaching
 from .. import hand
 from . import reports
 from .pick_piece import draw_number
@@ -28,7 +30,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not replacing.is_curve_shape(context.object):
+        if not replace_pieces.is_curve_shape(context.object):
             cls.poll_message_set("Select a curve shape")
             return False
         return True

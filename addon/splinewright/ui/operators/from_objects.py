@@ -7,8 +7,11 @@ import numpy as np
 from bpy.props import BoolProperty, StringProperty
 from mathutils import Matrix
 
-from ...bridge import derived, follow, recipes, shape, surveys
-from ...core.failures import FAILURES, Refusal
+from ...bridge.analysis import surveys
+from ...bridge.follow import follow, recipe_results
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import hand, recipe_props, scene_tolerance
 from . import new_shapes, reports
@@ -64,7 +67,7 @@ class _FromObjects(LongWork, Repeatable):
 
     def _task(self, context, sources):
         space = follow.first_space(sources, context.evaluated_depsgraph_get())
-        return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, space, self._frames(context))
+        return recipe_results.work(self.recipe, recipe_props.typed(self.recipe, self), sources, space, self._frames(context))
 
     def _arranged(self, context, sources):
         """The objects in the order in which the recipe takes them at first. Raises Refusal."""
@@ -74,7 +77,7 @@ class _FromObjects(LongWork, Repeatable):
         return [sources[i] for i in self.recipe.arranged(inputs)]
 
     def _inputs(self, context, sources):
-        return derived.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
+        return recipe_results.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
 
     def execute(self, context):
         sources, recipe = sources_of(context, self.recipe), self.recipe
@@ -154,7 +157,7 @@ class _FromObjects(LongWork, Repeatable):
 
 def sources_of(context, recipe):
     """The selected objects that a shape can be made from: what the recipe wants first, and the active one, come first."""
-    chosen = [ob for ob in context.selected_objects if derived.can_make(recipe, ob)]
+    chosen = [ob for ob in context.selected_objects if recipe_results.can_make(recipe, ob)]
     return sorted(chosen, key=lambda ob: (not is_wanted(ob, recipe.inputs[0]), ob != context.object))
 
 
@@ -177,7 +180,7 @@ def _has_no_edge(ob):
 
 def _beside(context):
     """The name of the one selected object that no shape can be made from, or ""."""
-    others = [ob for ob in context.selected_objects if not derived.is_possible(ob)]
+    others = [ob for ob in context.selected_objects if not recipe_results.is_possible(ob)]
     return others[0].name if len(others) == 1 else ""
 
 

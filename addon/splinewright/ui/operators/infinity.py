@@ -2,10 +2,13 @@
 
 import bpy
 
-from ...bridge import recipes, shape, store
-from ...bridge.net import live, net_object
-from ...core import infinity
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.cage import net_object
+from ...bridge.data import store
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.shape import infinity
 from .. import editing, net_props
 from . import reports
 

@@ -3,10 +3,11 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import replacing, surveys
-from ...bridge.file_state import state
-from ...core import aiming
-from ...core.failures import FAILURES
+from ...bridge.analysis import surveys
+from ...bridge.data.file_state import state
+from ...bridge.edit import replace_pieces
+from ...core.base.failures import FAILURES
+from ...core.verbs import parameter_picking
 from .. import aim_overlay, editing, hand, picking
 from . import meant, reports
 from .on_shapes import at_exactly
@@ -151,7 +152,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_patch_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
             cls.poll_message_set("Select a patch shape in Object Mode")
             return False
         return super().poll(context)
@@ -200,7 +201,7 @@ def _found(context, x, y, in_middle):
     if found is None or not in_middle:
         return found
     ob, number, parameters = found
-    return ob, number, aiming.in_middle(surveys.pieces_of(ob.data)[number - 1], parameters)
+    return ob, number, parameter_picking.in_middle(surveys.pieces_of(ob.data)[number - 1], parameters)
 
 
 def _status(aimed, thing, does):

@@ -3,9 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import joining, shape, store, surveys
-from ...core.failures import FAILURES, Refusal
-from ...core.held import why_not
+from ...bridge.analysis import surveys
+from ...bridge.data import store
+from ...bridge.edit import joining
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
+from ...core.joints.held import why_not
 from .. import texts
 from . import polls, reports
 

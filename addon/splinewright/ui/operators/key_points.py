@@ -3,9 +3,10 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import point_keying, point_keys, store
-from ...bridge.net import live, selection
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.data import store
+from ...bridge.keys import point_keys
+from ...bridge.net import live, point_keying, selection
+from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing, hand
 from . import reports
 

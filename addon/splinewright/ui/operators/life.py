@@ -3,8 +3,11 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge import point_keys, recipes, shape, transforming
-from ...core.failures import Refusal
+from ...bridge.edit import transforming
+from ...bridge.keys import point_keys
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import Refusal
 from . import reports
 from .selected import OnSelected
 

@@ -2,9 +2,13 @@
 
 import bpy
 
-from ...bridge import keyed, recipes, replacing, shape
-from ...core import decimals, deforming
-from ...core.failures import Refusal
+from ...bridge.edit import replace_pieces
+from ...bridge.net import keyed
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import Refusal
+from ...core.deform import deforming
 from .. import hand
 from . import reports
 from .pieces import UpToTolerance, scene_tolerance_property
@@ -29,9 +33,9 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
                 raise Refusal("it is deformable already")
             keyed.set_parameters(ob.data, {**changes, 'tolerance': self.tolerance})
             return recipes.error(ob.data), 0
-        before = replacing.read(ob.data)
+        before = replace_pieces.read(ob.data)
         found = deforming.deformed(before, self.tolerance)
-        replacing.put(ob.data, before, found.changed)
+        replace_pieces.put(ob.data, before, found.changed)
         hand.keep(ob.data, found.changed.parents)
         return found.changed.error, found.rational
 

@@ -1,7 +1,9 @@
 """Tools that are clicked say which shapes they work on, and why one at the mouse is none of them."""
 
-from ...bridge import recipes, shape, store
-from ...core.failures import FAILURES
+from ...bridge.data import store
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
 from .. import hand, picking
 from .reports import listed
 

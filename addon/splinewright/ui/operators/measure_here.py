@@ -3,10 +3,11 @@
 import bpy
 import numpy as np
 
-from ...bridge import shape, surveys
-from ...bridge.file_state import state
-from ...core import measured
-from ...core.failures import FAILURES, sentence
+from ...bridge.analysis import surveys
+from ...bridge.data.file_state import state
+from ...bridge.shape import shape
+from ...core.analysis import measured
+from ...core.base.failures import FAILURES, sentence
 from .. import editing, hand, measure_overlay, picking
 from .pointing import Pointing, redraw
 

@@ -3,9 +3,9 @@
 import bpy
 import numpy as np
 
-from ...bridge import surveys
-from ...core import measured
-from ...core.failures import FAILURES
+from ...bridge.analysis import surveys
+from ...core.analysis import measured
+from ...core.base.failures import FAILURES
 from .. import hand
 from . import reports
 from .long_work import LongWork

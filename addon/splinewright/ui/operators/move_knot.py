@@ -5,12 +5,13 @@ from contextlib import suppress
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ...bridge import moving_knots
-from ...bridge.file_state import state
-from ...core import decimals, knot_strip, typed_number
-from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand
+from ...bridge.data.file_state import state
+from ...bridge.edit import moving_knots
+from ...core.base import decimals, typed_number
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.verbs import knot_strip
 from .. import knot_strip as strip
+from .. import editing, hand
 from . import reports
 from .pick_piece import draw_number
 from .pointing import PASSED, Typing, redraw

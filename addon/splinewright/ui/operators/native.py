@@ -2,8 +2,9 @@
 
 import bpy
 
-from ...bridge import shape, store
+from ...bridge.data import store
 from ...bridge.native import make_exact, to_native
+from ...bridge.shape import shape
 from . import reports
 from .selected import OnSelected
 

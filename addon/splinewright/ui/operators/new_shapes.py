@@ -3,8 +3,8 @@
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import settings, store
-from ...core import decimals
+from ...bridge.data import settings, store
+from ...core.base import decimals
 from .. import preferences
 from . import pieces
 

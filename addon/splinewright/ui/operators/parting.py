@@ -3,9 +3,10 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import parting, shape
-from ...bridge.net import net_object
-from ...core.failures import Refusal
+from ...bridge.cage import net_object
+from ...bridge.edit import parting
+from ...bridge.shape import shape
+from ...core.base.failures import Refusal
 from .. import editing, hand
 from . import pieces, reports
 from .selected import OnSelected

@@ -5,10 +5,11 @@ import math
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import joining, replacing
-from ...core import decimals, patch_joints, seams
-from ...core.failures import FAILURES
-from ...core.patch_curves import SIDE_CHOICES, SIDES
+from ...bridge.edit import joining, replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.joints import patch_joints, seams
+from ...core.verbs.patch_curves import SIDES, SIDE_CHOICES
 from .. import hand
 from . import polls, reports
 from .pick_piece import draw_number
@@ -57,7 +58,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
 
     def invoke(self, context, event):
         hand.begin_pair(self, context)
@@ -107,7 +108,7 @@ def _named_of_two(ob, other):
 
 
 def told(found, named=_named):
-    """A core.patch_joints.Joined in words. named: (number) -> what a patch is called."""
+    """A core.joints.patch_joints.Joined in words. named: (number) -> what a patch is called."""
     sides = " and ".join(f"{SIDES[side]} of {named(number)}" for number, side, _ in (found.first, found.second))
     moved = [f"{named(number)} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
              if error > 1e-12]
@@ -118,7 +119,7 @@ def told(found, named=_named):
 
 
 def came_apart(found, named=_named):
-    """What a core.patch_joints.Joined has taken apart, as warnings."""
+    """What a core.joints.patch_joints.Joined has taken apart, as warnings."""
     pairs = ", ".join(f"{named(first)} and {named(second)}" for first, second in found.came_apart)
     return (f"open now between {pairs}: they have other knots or degrees there",) if pairs else ()
 

@@ -3,8 +3,8 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import shape
-from ...bridge.file_state import state
+from ...bridge.data.file_state import state
+from ...bridge.shape import shape
 from .. import hand, picking
 from . import polls, reports
 from .pointing import Pointing, redraw

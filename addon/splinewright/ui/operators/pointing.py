@@ -2,8 +2,8 @@
 
 from bpy.props import BoolProperty
 
-from ...bridge.file_state import state
-from ...core import typed_number
+from ...bridge.data.file_state import state
+from ...core.base import typed_number
 from .. import picking
 from . import meant
 
@@ -19,7 +19,7 @@ def redraw():
 
 
 class Typing:
-    """A number may be typed while the mouse leads: `_typed`, a core.typed_number.Typed."""
+    """A number may be typed while the mouse leads: `_typed`, a core.base.typed_number.Typed."""
 
     def takes(self, event):
         """Whether a key is part of a number."""

@@ -4,9 +4,12 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from ...bridge import shape, store
-from ...core import decimals, measured, projecting
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.shape import shape
+from ...core.analysis import measured
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.meets import projecting
 from .. import progress
 from . import reports
 from .adding import Repeatable, can_add

@@ -10,12 +10,17 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import pulling, recipes, shape, store
-from ...bridge.file_state import state
-from ...bridge.net import net_object
-from ...core import decimals, parameters, patch_verbs, verbs
-from ...core import pulling as pulls
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.cage import net_object
+from ...bridge.data import store
+from ...bridge.data.file_state import state
+from ...bridge.net import pulling
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.deform import pulling as pulls
+from ...core.shape import parameters
+from ...core.verbs import patch_verbs, verbs
 from .. import editing, hand, picking, seeing, snapping
 from ..pull_keys import Keys
 from ..pull_overlay import Pull

@@ -3,9 +3,13 @@
 import bpy
 import numpy as np
 
-from ...bridge import derived, keyed, placing, recipes, shape, surveys
-from ...bridge.file_state import state
-from ...core.failures import FAILURES, Refusal, blenders_refusals, sentence
+from ...bridge.analysis import surveys
+from ...bridge.data.file_state import state
+from ...bridge.follow import recipe_results
+from ...bridge.net import keyed
+from ...bridge.recipes import placing, recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, blenders_refusals, sentence
 from ...core.recipes.table import RECIPES
 from .. import edges_overlay, picking
 from . import from_objects, polls, reports
@@ -108,7 +112,7 @@ def _edges(context):
     ob, depsgraph = context.object, context.evaluated_depsgraph_get()
     if not _is_rounded(ob):
         sources = from_objects.sources_of(context, _RECIPE)
-        matrices = [derived.matrix_in(source, None, depsgraph) for source in sources]
+        matrices = [recipe_results.matrix_in(source, None, depsgraph) for source in sources]
         return surveys.edge_lines_of(sources, matrices)[0], ()
     sources = recipes.read(ob.data).sources
     if not all(source is not None and shape.has_shape(source) for source in sources):

@@ -2,8 +2,9 @@
 
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import recipes, shape
-from ...core.failures import FAILURES, sentence
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, sentence
 from .. import progress, texts
 from . import polls, reports
 

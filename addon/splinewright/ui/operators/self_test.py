@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...bridge import self_test
+from ...bridge.edit import self_test
 from .. import progress
 from . import reports
 

@@ -5,11 +5,14 @@ from contextlib import suppress
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import held, recipes, shape, store
-from ...bridge.file_state import state
-from ...bridge.net import live, net_object
-from ...core import knots
-from ...core.failures import FAILURES, sentence
+from ...bridge.cage import net_object
+from ...bridge.data import held, store
+from ...bridge.data.file_state import state
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, sentence
+from ...core.verbs import knots
 from .. import editing, hand, texts
 from . import reports
 from .pick_piece import draw_number

@@ -5,7 +5,8 @@ from typing import NamedTuple
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import replacing, sights
+from ...bridge.data.settings import overlays_of
+from ...bridge.edit import replace_pieces
 from .. import hand
 from . import reports
 
@@ -63,7 +64,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
         sight = SIGHTS[self.sight]
         if self.sight == _CONTINUITY:
             return self._continuity(context)
-        chosen, (name, kind) = sights.of(context.scene), sight.kind or ("", "")
+        chosen, (name, kind) = overlays_of(context.scene), sight.kind or ("", "")
         is_shown = getattr(chosen, sight.switch) and (not name or getattr(chosen, name) == kind)
         if name:
             setattr(chosen, name, kind)
@@ -71,7 +72,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
         return {'FINISHED'}
 
     def _continuity(self, context):
-        obs = [ob for ob in {*hand.shapes(context), hand.shape_of(context.object)} if ob is not None and replacing.is_patch_shape(ob)]
+        obs = [ob for ob in {*hand.shapes(context), hand.shape_of(context.object)} if ob is not None and replace_pieces.is_patch_shape(ob)]
         if not obs:
             return reports.cancelled(self, "Select a surface: the panel Continuity lists the joints of curves")
         blocks = {ob.data for ob in obs}

@@ -6,10 +6,10 @@ from contextlib import suppress
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge.file_state import state
+from ...bridge.data.file_state import state
 from ...bridge.net import live, selection
-from ...core import typed_number
-from ...core.failures import FAILURES, Refusal, sentence
+from ...core.base import typed_number
+from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing, picking, seeing, weight_overlay
 from . import reports
 from .pointing import PASSED, Typing, redraw

@@ -3,10 +3,14 @@
 import bpy
 from bpy.props import BoolProperty, IntProperty
 
-from ...bridge import derived, shape
-from ...core import decimals, touching, transform, verbs
-from ...core.failures import FAILURES, Refusal
-from ...core.library import sc
+from ...bridge.follow import recipe_results
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.base.library import sc
+from ...core.meets import touching
+from ...core.shape import transform
+from ...core.verbs import verbs
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .long_work import LongWork
@@ -59,7 +63,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         """A function that gives the touching.Circles in the world, for a `cancel` as the library takes it. Raises Refusal."""
         depsgraph = context.evaluated_depsgraph_get()
         curves = [curve for ob in context.selected_objects if _is_curve(ob) for curve in verbs.curves_of(transform.transformed(
-            derived.definition_of(ob, depsgraph), derived.matrix_in(ob, None, depsgraph)))]
+            recipe_results.definition_of(ob, depsgraph), recipe_results.matrix_in(ob, None, depsgraph)))]
         if len(curves) != 3:
             raise Refusal(f"{len(curves)} curves are selected: three are needed")
         return lambda cancel: touching.circles(*curves, cancel)
@@ -73,7 +77,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
 
 
 def _is_curve(ob):
-    return ob.type == 'CURVE' and derived.is_possible(ob)
+    return ob.type == 'CURVE' and recipe_results.is_possible(ob)
 
 
 CLASSES = (SPLINEWRIGHT_OT_add_touching_circle,)

@@ -6,10 +6,11 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ...bridge import recipes
-from ...bridge.net import live, net_object, selection, weighing
-from ...core import decimals
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.cage import net_object
+from ...bridge.net import live, selection, weighing
+from ...bridge.recipes import recipes
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
