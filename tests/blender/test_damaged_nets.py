@@ -39,6 +39,7 @@ def net_damages(held):
 def use(held, step):
     """Everything that looks at a net of its own accord, and a user who moves and reads its points. What is said of it."""
     file_state.forget()
+    part('ui.ui_state').forget()
     handlers.loaded()
     said = drawn() + " ".join(sentence for sentence, _ in messages.said(bpy.context.view_layer))
     held.data.update_tag()
@@ -119,6 +120,7 @@ def test_a_net_that_is_damaged_is_said_kept_and_left_only_by_leaving(name):
     held = enter()
     group(held)['token'] = 7
     file_state.forget()
+    part('ui.ui_state').forget()
     handlers.loaded()
     assert "damaged" in live.problem(held) and "damaged" in editing.unread([held])
     assert "damaged" in messages.said(bpy.context.view_layer)[0][0]

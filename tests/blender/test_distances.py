@@ -14,7 +14,7 @@ from support import part, splinecore as sc
 
 deviations, file_state, handlers, lengths, measures, paint, panel, seen, targets = (part(name) for name in (
     'bridge.analysis.deviations', 'bridge.data.file_state', 'ui.handlers', 'core.base.length_units', 'core.analysis.deviations', 'ui.deviation_paint',
-    'ui.sights_panel', 'bridge.analysis.overlays', 'bridge.analysis.deviation_targets'))
+    'ui.analysis_panel', 'bridge.analysis.overlays', 'bridge.analysis.deviation_targets'))
 TURNED = Matrix.Translation((3, -2, 0.5)) @ Euler((0.4, 1.1, -0.3)).to_matrix().to_4x4()
 
 
@@ -359,7 +359,7 @@ def test_the_legend_says_largest_and_mean_in_units_of_the_scene(chosen, monkeypa
     drawn = []
     monkeypatch.setattr(paint.legend, 'draw', lambda context, head, numbers, colors, notes: drawn.append((head, numbers, notes)))
     monkeypatch.setattr(paint.timers, 'later', lambda *_: None)
-    file_state.state.is_still = True
+    part('ui.ui_state').ui_state.is_still = True
     paint.draw_legend(bpy.context, chosen, [ob])
     (head, numbers, notes), = drawn
     assert head[:2] == ["Distance to", "mesh"] and numbers == ["0 mm", "0.5 mm", "1 mm", "1.5 mm", "2 mm"]

@@ -45,8 +45,10 @@ def test_another_file_is_another_state():
     enter()
     leave()
     file_state.state.quiet.add(file_state.key(data))
+    part('ui.ui_state').ui_state.hovered = ("gone", 1)
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-    assert file_state.state == file_state.FileState(is_scanned=True)
+    assert file_state.state == file_state.FileState()
+    assert part('ui.ui_state').ui_state == part('ui.ui_state').UiState(is_scanned=True)
 
 
 @pytest.mark.parametrize('resolution', ((2.5, 3), (3, 2.5), ("a", 3), (3, None)))

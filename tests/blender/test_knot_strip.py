@@ -15,7 +15,7 @@ from support import part, splinecore as sc
 definitions, live, seen, store, strip, strip_keys = (part(name) for name in (
     'core.shape.definition', 'bridge.net.live', 'bridge.analysis.overlays', 'bridge.data.store', 'ui.knot_strip',
     'ui.operators.strip_keys'))
-state, blenders_refusals = part('bridge.data.file_state').state, part('core.base.failures').blenders_refusals
+state, blenders_refusals = part('ui.ui_state').ui_state, part('core.base.failures').blenders_refusals
 #: Kind of a shape, axis, which of its knots, where to.
 MOVED = (('nurbs', 'U', 5, 0.15), ('periodic', 'U', 3, 0.9), ('uniform', 'U', 5, 4.25), ('uniform', 'U', 1, -2.0),
          ('three knots', 'U', 7, 0.5), ('hermite', 'U', 2, 0.25), ('circle', 'U', 4, 0.2))
@@ -341,7 +341,7 @@ def test_a_damaged_shape_shows_none(context):
 def test_in_a_net_the_piece_of_the_selected_points_is_shown_and_elsewhere_that_in_hand(context):
     ob = add(value_of('many curves'))
     assert strip.shown(context).number == 1 and strip.shown(context).count == 4
-    part('ui.hand').take(ob.data, 2)
+    part('ui.active_shape').take(ob.data, 2)
     assert strip.shown(context).number == 2
     held = enter()
     rows = numbers_of(held).rows

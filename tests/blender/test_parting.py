@@ -11,7 +11,7 @@ from support import part, splinecore as sc
 
 Look, replacing = part('bridge.data.shading').Look, part('bridge.edit.replace_pieces')
 hand, recipes, selection, shape, store, live = (part(name) for name in (
-    'ui.hand', 'bridge.recipes.recipes', 'bridge.net.selection', 'bridge.shape.shape', 'bridge.data.store', 'bridge.net.live'))
+    'ui.active_shape', 'bridge.recipes.recipes', 'bridge.net.selection', 'bridge.shape.shape', 'bridge.data.store', 'bridge.net.live'))
 
 
 def pieces(ob):

@@ -12,7 +12,7 @@ from shapes import activate, add, op
 from support import part, splinecore as sc
 
 hand, landmarks, picking, surveys, verbs = (part(name) for name in (
-    'ui.hand', 'core.surfaces.outlines', 'ui.picking', 'bridge.analysis.surveys', 'core.verbs.verbs'))
+    'ui.active_shape', 'core.surfaces.outlines', 'ui.picking', 'bridge.analysis.surveys', 'core.verbs.verbs'))
 
 
 class Called:

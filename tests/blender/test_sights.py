@@ -10,7 +10,7 @@ from support import part, splinecore as sc
 
 combs, definitions, faces, frames, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
     'core.analysis.combs', 'core.shape.definition', 'core.analysis.faces', 'core.analysis.frames', 'core.analysis.lines',
-    'ui.sights_overlay', 'ui.surface_paint', 'ui.sights_panel', 'core.analysis.polygon', 'bridge.analysis.overlays',
+    'ui.analysis_overlay', 'ui.surface_paint', 'ui.analysis_panel', 'core.analysis.polygon', 'bridge.analysis.overlays',
     'bridge.data.store'))
 FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]),
                      [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
@@ -315,8 +315,8 @@ def test_a_damaged_shape_shows_nothing_and_raises_nothing():
     ob = add(VALUES['bezier patch']())
     ob.data[store.KEY]['structure'] = "no"
     assert seen.kept(ob.data, 'polygon', (), seen.polygon_of) is None
-    assert all(part('ui.sights_strokes').prepared(sight, ob.data, seen.of(bpy.context.scene)) == ()
-               for sight in part('ui.sights_strokes').SIGHTS)
+    assert all(part('ui.analysis_lines').prepared(sight, ob.data, seen.of(bpy.context.scene)) == ()
+               for sight in part('ui.analysis_lines').SIGHTS)
 
 
 def test_shapes_in_hand_are_the_selected_ones_and_that_whose_net_is_out():

@@ -341,7 +341,7 @@ def keys():
 
 @pytest.mark.parametrize('name', ('nurbs', 'nurbs patch'))
 def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
-    hints, state = part('ui.hints'), part('bridge.data.file_state').state
+    hints, state = part('ui.hints'), part('ui.ui_state').ui_state
     assert hints.said(bpy.context) == []
     add(VALUES[name]())
     enter()
@@ -363,7 +363,7 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
 
 @pytest.mark.parametrize('name', TOOLS)
 def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, monkeypatch):
-    hints, state = part('ui.hints'), part('bridge.data.file_state').state
+    hints, state = part('ui.hints'), part('ui.ui_state').ui_state
     monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
     assert hints.said(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
     for field, value in (('is_pointing', True), ('drawn_stroke', ((0, 0, 0),)), ('contour', ("drawn", "longer"))):
@@ -374,8 +374,8 @@ def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, 
 
 
 def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
-    hints, state, pointed = part('ui.hints'), part('bridge.data.file_state').state, part('ui.knot_strip').Pointed
-    sights = part('bridge.analysis.overlays').of(bpy.context.scene)
+    hints, state, pointed = part('ui.hints'), part('ui.ui_state').ui_state, part('ui.knot_strip').Pointed
+    sights = bpy.context.scene.splinewright_sights
     sights.strip, state.pointed_knot = True, pointed(1, "shape", 0, 2, 1.0)
     inserting = (["MOUSE_LMB"], "twice: Insert Knot")
     try:

@@ -95,9 +95,9 @@ def test_the_piece_of_the_selected_points_is_the_one_in_hand():
     held = enter()
     rows = numbers_of(held).definition.pieces[1].indices.ravel()
     select(held, *np.flatnonzero(np.isin(numbers_of(held).rows, rows))[:2])
-    assert part('ui.hand').pieces_of_points(held) == [1]
+    assert part('ui.active_shape').pieces_of_points(held) == [1]
     operator = SimpleNamespace(piece=0, properties=SimpleNamespace(is_property_set=lambda name: False))
-    part('ui.hand').begin(operator, [ob], [held])
+    part('ui.active_shape').begin(operator, [ob], [held])
     assert operator.piece == 2
 
 

@@ -47,7 +47,7 @@ class Batch:
 
 def time_callbacks():
     """From now on ours are called by others that measure them, and so is what they draw."""
-    for name in ('ui.strokes', 'ui.surface_shader', 'ui.legend'):
+    for name in ('ui.line_batches', 'ui.surface_shader', 'ui.legend'):
         room = part(name)
         room.batch_for_shader = lambda *given, make=room.batch_for_shader, **more: Batch(make(*given, **more))
     drawing.unregister()

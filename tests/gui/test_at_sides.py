@@ -20,7 +20,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.data.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def value(name="sheet"):

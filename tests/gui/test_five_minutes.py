@@ -70,7 +70,7 @@ def place_on(view, name):
 
 
 def state():
-    return part('bridge.data.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def keys(view, text):

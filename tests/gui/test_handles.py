@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, in_net, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-STATE = part('bridge.data.file_state').state
+STATE = part('ui.ui_state').ui_state
 PLACES = ((-3.0, -1.5, 0.0), (-1.5, 1.0, 0.0), (0.5, -0.5, 0.0), (2.0, 1.5, 0.0), (3.5, -1.0, 0.0))
 AUTO = ('AUTO', 'AUTO')
 

@@ -13,7 +13,7 @@ from window import (View, into_net, mean_difference, out_of_net, part, redrawn, 
                     user_item)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-strip, state = part('ui.knot_strip'), part('bridge.data.file_state').state
+strip, state = part('ui.knot_strip'), part('ui.ui_state').ui_state
 
 
 def picture(name):

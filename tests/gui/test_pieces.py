@@ -27,7 +27,7 @@ def count():
 
 
 def hovered():
-    return part('bridge.data.file_state').state.hovered
+    return part('ui.ui_state').ui_state.hovered
 
 
 def place_of(view, number, ob=None):
@@ -94,7 +94,7 @@ def a_piece_is_picked(view):
     yield from point_at(view, second)
     view.press('ESC')
     yield from until(lambda: not hovered(), "the end of picking")
-    assert part('ui.hand').of(teapot().data) == (first, 0), "Esc took a piece"
+    assert part('ui.active_shape').of(teapot().data) == (first, 0), "Esc took a piece"
     print("picked", flush=True)
 
 
@@ -126,7 +126,7 @@ def another_is_picked_in_the_panel(view):
     view.move(panel.x + panel.width - 39, panel.y + 18)
     yield from redrawn()
     view.press('LEFTMOUSE')
-    yield from until(lambda: part('bridge.data.file_state').state.picking, "picking after a click on the eyedropper")
+    yield from until(lambda: part('ui.ui_state').ui_state.picking, "picking after a click on the eyedropper")
     wanted = next(number for number in visible(view) if shown.numbers[number - 1] != first)
     yield from point_at(view, wanted)
     view.press('LEFTMOUSE')

@@ -21,7 +21,7 @@ def picture(name):
 
 
 def pulled():
-    return part('bridge.data.file_state').state.pulled
+    return part('ui.ui_state').ui_state.pulled
 
 
 def led():

@@ -21,7 +21,7 @@ def picture(name):
 
 
 def rounding():
-    return part('bridge.data.file_state').state.rounding
+    return part('ui.ui_state').ui_state.rounding
 
 
 def scene(view):

@@ -217,8 +217,8 @@ def nothing_made(switch):
 
 def count_drawn():
     """A function that tells how often something was drawn over shapes since it was made."""
-    count, rooms = [0], [(part('ui.strokes'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
-                         (part('ui.sights_overlay'), 'shapes_in_hand')]
+    count, rooms = [0], [(part('ui.line_batches'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
+                         (part('ui.analysis_overlay'), 'shapes_in_hand')]
 
     def counted(own):
         def called(*given, **more):

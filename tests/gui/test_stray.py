@@ -181,7 +181,7 @@ def left_by_another_way(view):
     yield from until(lambda: "lost points" in problem(), "the problem")
     with view.override():
         bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode='OBJECT')
-    kept = part('bridge.data.file_state').state.kept
+    kept = part('ui.ui_state').ui_state.kept
     yield from until(lambda: len(kept) == 1 and nets()[0].mode == 'OBJECT', "the net is kept")
     yield from until(lambda: warned(look("kept")) > 300, "the warning in the view")
     view.press('TAB')

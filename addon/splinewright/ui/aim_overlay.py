@@ -7,11 +7,11 @@ import gpu
 import numpy as np
 
 from ..bridge.analysis import surveys
-from ..bridge.data.file_state import state
 from ..bridge.shape import shape
 from ..core.base.failures import FAILURES
 from ..core.verbs import parameter_picking
-from . import strokes
+from . import line_batches
+from .ui_state import ui_state
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 
@@ -29,7 +29,7 @@ class Aim(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    show(state.aimed)
+    show(ui_state.aimed)
 
 
 def show(aimed):
@@ -43,10 +43,10 @@ def show(aimed):
         return                          # the shape is another one meanwhile
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(_stroke(line[np.isfinite(line).all(1)]) for line in lines)
+        line_batches.draw(_stroke(line[np.isfinite(line).all(1)]) for line in lines)
 
 
 def _stroke(line):
     if len(line) == 1:
-        return strokes.points(line, lambda: _COLOR, lambda: 10)
-    return strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)
+        return line_batches.points(line, lambda: _COLOR, lambda: 10)
+    return line_batches.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)

@@ -8,7 +8,7 @@ from . import preferences
 _UNKNOWN = (0.5, 0.5, 0.5, 1.0)
 #: What is in the way, or is not as one would think.
 WARNING = (1.0, 0.45, 0.2, 1.0)
-#: Of ui.sights_overlay.
+#: Of ui.analysis_overlay.
 CURVE = (0.3, 0.65, 1.0, 1.0)
 KNOTS, RIM = (1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 1.0)
 NORMALS, HODOGRAPH, CIRCLE = (0.35, 0.9, 1.0, 0.9), (1.0, 0.75, 0.3, 1.0), (1.0, 1.0, 1.0, 0.8)

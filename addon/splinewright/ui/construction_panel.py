@@ -7,7 +7,7 @@ from ..bridge.data import store
 from ..bridge.follow import follow, recipe_results
 from ..bridge.recipes import late, placing, recipes
 from ..bridge.shape import shape
-from . import hand, recipe_props, texts
+from . import active_shape, recipe_props, texts
 from .sub_panel import SidePanel
 
 
@@ -18,11 +18,11 @@ class SPLINEWRIGHT_PT_construction(SidePanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         return ob is not None and (recipes.has(ob.data) if net_object.is_net(context.object) else is_shown(ob))
 
     def draw(self, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         if net_object.is_net(context.object):
             _draw_numbers(self.layout, ob.data, is_net_out=True)
         else:

@@ -7,11 +7,11 @@ import gpu
 import numpy as np
 
 from ..bridge.analysis import deviations, overlays
-from ..bridge.data.file_state import state
 from ..core.analysis import deviations as measures
 from ..core.base import length_units
 from ..core.base.failures import FAILURES
-from . import legend, strokes, surface_shader, timers
+from . import legend, line_batches, surface_shader, timers
+from .ui_state import ui_state
 
 #: Seconds after the last change until distances are measured in the end, and from one part of that to the next.
 _SETTLE, _NEXT = 0.3, 0.01
@@ -36,7 +36,7 @@ def draw(chosen, obs):
     for ob, deviation in _of_type(shown, 'MESH'):
         batch = overlays.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with strokes.nearer(_PART):
+        with line_batches.nearer(_PART):
             surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
     gpu.state.depth_test_set('NONE')
 
@@ -47,9 +47,9 @@ def draw_lines(chosen, obs):
     for ob, deviation in _of_type(shown, 'CURVE'):
         lines = overlays.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with gpu.matrix.push_pop(), strokes.nearer():
+        with gpu.matrix.push_pop(), line_batches.nearer():
             gpu.matrix.multiply_matrix(ob.matrix_world)
-            strokes.draw([lines])
+            line_batches.draw([lines])
     gpu.state.depth_test_set('NONE')
 
 
@@ -68,7 +68,7 @@ def draw_legend(context, chosen, obs):
 
 def settle():
     """Nothing has changed for a while."""
-    state.is_still = True
+    ui_state.is_still = True
     redraw()
 
 
@@ -106,7 +106,7 @@ def _shown(chosen, obs):
     found, shares = [], []
     for ob in obs:
         if ob != other:
-            deviation, share, is_new = deviations.of(ob, target, state.is_still)
+            deviation, share, is_new = deviations.of(ob, target, ui_state.is_still)
             if is_new:
                 _wait()
             if deviation is not None and np.isfinite(deviation.largest):
@@ -114,7 +114,7 @@ def _shown(chosen, obs):
             if deviation is not None or share < 1.0:
                 shares.append(share)
     share = sum(shares) / len(shares) if shares else 1.0
-    if state.is_still and share < 1.0:
+    if ui_state.is_still and share < 1.0:
         timers.later(redraw, _NEXT)
     if not found and share == 1.0:
         return None
@@ -123,7 +123,7 @@ def _shown(chosen, obs):
 
 
 def _wait():
-    state.is_still = False
+    ui_state.is_still = False
     timers.later(settle, _SETTLE)
 
 
@@ -137,4 +137,4 @@ def _lines(data, deviation, reach):
     parts = deviation.values.ravel() / reach if reach > 0.0 else np.zeros(deviation.values.size)
     shades = np.append(surface_shader.colors_at(2.0 * parts - 1.0, surface_shader.DISTANCES), np.ones((parts.size, 1)), 1)
     is_known = np.isfinite(parts.reshape(-1, 2)).all(1)
-    return strokes.colored(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)
+    return line_batches.colored(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)

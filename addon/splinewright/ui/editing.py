@@ -14,6 +14,7 @@ from ..bridge.recipes import recipes
 from ..bridge.shape import recipe_edit, shape
 from ..core.base.failures import FAILURES, Refusal, sentence, told
 from . import progress
+from .ui_state import ui_state
 
 
 def why_not(ob):
@@ -45,14 +46,14 @@ def _known_nets():
     layer = bpy.context.view_layer
     active = layer.objects.active if layer is not None else None
     near = {key(active): active} if active is not None else {}
-    return [near.get(name) or block_of(name) for name in sorted(state.nets)]
+    return [near.get(name) or block_of(name) for name in sorted(ui_state.nets)]
 
 
 def find_nets():
     """Scan the file."""
-    state.nets.clear()
-    state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
-    state.kept &= state.nets
+    ui_state.nets.clear()
+    ui_state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
+    ui_state.kept &= ui_state.nets
 
 
 def _is_out(ob):
@@ -109,7 +110,7 @@ def enter(context, active, progress=shape.no_progress):
         ob.select_set(False)
     for ob in put_out:
         ob.select_set(True)
-        state.nets.add(key(ob))
+        ui_state.nets.add(key(ob))
     context.view_layer.objects.active = put_out[0]
     with suppress(RuntimeError):        # where Blender refuses, the mode tells
         bpy.ops.object.mode_set(mode='EDIT')
@@ -207,8 +208,8 @@ def put_away(context, ob):
     layer = context.view_layer
     others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
-    state.nets.discard(key(ob))
-    state.kept.discard(key(ob))
+    ui_state.nets.discard(key(ob))
+    ui_state.kept.discard(key(ob))
     net_object.remove(ob)
     if owner is None:
         return
@@ -260,7 +261,7 @@ def _same(points, chosen, before):
 def sweep():
     """Put away the nets that were left by another way than leave(), and copies of nets. One that holds what its shape
     does not take stays, as an object. Whatever goes wrong with one is shown: others are to be swept, too."""
-    if state.suspended:                 # a file is being saved
+    if ui_state.suspended:                 # a file is being saved
         return
     find_nets()
     for ob in nets():
@@ -272,13 +273,13 @@ def sweep():
 
 
 def _sweep(ob):
-    state.kept.discard(key(ob))
+    ui_state.kept.discard(key(ob))
     if ob.mode == 'EDIT' or ob.mode != 'OBJECT' and not _to_object_mode(ob):
         return
     if ob.users_scene and not _is_copy(ob):
         live.pull(ob)
         if live.unread(ob):
-            state.kept.add(key(ob))
+            ui_state.kept.add(key(ob))
             return
     put_away(bpy.context, ob)
 
@@ -362,7 +363,7 @@ def take_up():
     """A timer: nets take up rows that were cut in when the operator has ended, which may slide them until then, and rows
     that are gone with the faces beside them, for which others are to be made."""
     waiting = [ob for ob in nets() if ob.mode == 'EDIT' and live.is_waiting(ob)]
-    if waiting and ended_operators() == state.awaited:
+    if waiting and ended_operators() == ui_state.awaited:
         return _LOOK
     for ob in waiting:
         live.pull(ob)
@@ -379,10 +380,10 @@ def hand_over():
     Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
     """
     ended = ended_operators()
-    if not ended or ended in (state.handed, state.began):
+    if not ended or ended in (ui_state.handed, state.began):
         return
     if _DUPLICATING.search(bpy.context.window_manager.operators[-1].bl_idname):
-        state.handed = ended
+        ui_state.handed = ended
         hand_over_now()
 
 

@@ -5,9 +5,9 @@ import rna_keymap_ui
 from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
 from ..bridge.data import settings
-from ..bridge.data.file_state import state
 from ..core.base import library
 from . import addresses, keymaps, manual, texts
+from .ui_state import ui_state
 
 _NAME = __package__.rpartition('.')[0]
 
@@ -36,7 +36,7 @@ def _steps(name, of_what):
 def _redraw_status_bar(_self, context):
     """Blender does it where the text is set."""
     for window in context.window_manager.windows:
-        window.workspace.status_text_set(state.status or None)
+        window.workspace.status_text_set(ui_state.status or None)
 
 
 class SplinewrightPreferences(bpy.types.AddonPreferences):

@@ -17,6 +17,7 @@ from ..bridge.net import live, magnet
 from ..bridge.recipes import late
 from ..core.base.failures import told
 from . import editing
+from .ui_state import ui_state
 
 
 class _Suspended(NamedTuple):
@@ -45,7 +46,7 @@ def before(*_):
                 if any(map(net_object.is_net, members)):
                     suspended.append(_suspend(scene, layer, members))
     finally:
-        state.suspended += suspended
+        ui_state.suspended += suspended
     if suspended and not bpy.app.background:
         bpy.app.timers.register(put_back)       # Blender 3.4 does not tell of a save that failed
 
@@ -87,8 +88,8 @@ def _where(ob):
 @persistent
 def put_back(*_):
     """Put the nets back, in Edit Mode, whether a file was written or not."""
-    while state.suspended:
-        suspended = state.suspended.pop()
+    while ui_state.suspended:
+        suspended = ui_state.suspended.pop()
         try:
             with suppress(ReferenceError):      # something took the scene or its objects away meanwhile
                 _put_back(suspended)

@@ -7,7 +7,7 @@ import bpy
 from ..bridge.data import problems, store, tessellate
 from ..bridge.net import keyed
 from ..bridge.recipes import recipes
-from . import hand, texts
+from . import active_shape, texts
 from .sub_panel import SidePanel
 
 
@@ -18,12 +18,12 @@ class SPLINEWRIGHT_PT_display(SidePanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return hand.shape_of(context.object) is not None
+        return active_shape.shape_of(context.object) is not None
 
     def draw(self, context):
-        data = hand.shape_of(context.object).data
+        data = active_shape.shape_of(context.object).data
         with contextlib.suppress(store.UnreadableDefinition):       # the panel of the shape says it
-            draw(self.layout, data, store.read(data), has_buttons=hand.shape_of(context.object) == context.object)
+            draw(self.layout, data, store.read(data), has_buttons=active_shape.shape_of(context.object) == context.object)
 
 
 def draw(layout, data, definition, has_buttons=True):

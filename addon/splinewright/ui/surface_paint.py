@@ -8,7 +8,7 @@ import gpu
 from ..bridge.analysis import overlays
 from ..bridge.shape import images
 from ..core.analysis import faces
-from . import legend, strokes, surface_shader
+from . import legend, line_batches, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
 _PART = 0.5
@@ -27,7 +27,7 @@ def draw(chosen, obs):
     reach = _reach(chosen, found)
     for ob, painted in found:
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with strokes.nearer(_PART):
+        with line_batches.nearer(_PART):
             for matrix in images.of(ob, context.view_layer, context.space_data):
                 _draw(chosen, painted.batch, matrix, reach)
     gpu.state.depth_test_set('NONE')

@@ -6,8 +6,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base.failures import Refusal
-from ..base.library import sc
-
 
 #: Sections of patches side by side lie no farther apart than so many tolerances where they are one.
 TOGETHER = 4.0

@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from ..base import decimals
 from ..base.failures import AboutInputs, Refusal, about_input, about_items
 from ..base.library import sc

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base import decimals
-from ..base.failures import AboutInputs, Refusal
+from ..base.failures import AboutInputs
 
 #: Parts of a curve's domain at which it is looked at.
 _PARTS = np.linspace(0.0, 1.0, 33)

@@ -2,10 +2,10 @@
 
 import bpy
 
-from ...bridge.data.file_state import state
 from ...bridge.edit import replace_pieces
 from ...core.base.failures import FAILURES
-from .. import hand, picking
+from .. import active_shape, picking
+from ..ui_state import ui_state
 from . import patch_join, polls, reports
 from .pointing import Pointing, given, redraw, take_again
 
@@ -32,11 +32,11 @@ class _PicksSides(Pointing):
         return list({ob.name: ob for ob, _ in self.pieces(context, self._picked)}.values())
 
     def forget(self):
-        state.sides = ()
+        ui_state.sides = ()
 
     def look(self, context, event):
         self._found = found = side_at(context, event.mouse_x, event.mouse_y, self.pieces(context, self._picked))
-        state.sides = tuple((ob.name, number, side) for ob, number, side in [*self._picked, *([found] if found else [])])
+        ui_state.sides = tuple((ob.name, number, side) for ob, number, side in [*self._picked, *([found] if found else [])])
         redraw()
         return found is not None
 
@@ -61,7 +61,7 @@ def side_at(context, x, y, pieces):
 
 
 def patches_of(obs):
-    return [(ob, number) for ob in obs if replace_pieces.is_patch_shape(ob) and ob.visible_get() for number in hand.counted(ob.data)]
+    return [(ob, number) for ob in obs if replace_pieces.is_patch_shape(ob) and ob.visible_get() for number in active_shape.counted(ob.data)]
 
 
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):

@@ -9,7 +9,7 @@ from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.meets import meeting
 from ...core.verbs import verbs
-from .. import hand
+from .. import active_shape
 from . import pieces, polls, reports
 from .on_shapes import OnCurves
 from .pick_piece import draw_number
@@ -100,14 +100,14 @@ class _Between:
         return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         self.first = max(self.first, 1)
         return self.execute(context)
 
     def execute(self, context):
         """With the sizes of the last call, or where there was none, or they do not fit, with some that are likely to."""
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
-        parted = hand.count_of(ob.data) if others else None
+        parted = active_shape.count_of(ob.data) if others else None
         is_given = self.properties.is_property_set(self.sizes[0])
         if not is_given and all(decimals.typed(getattr(self, name)) == _DEFAULT for name in self.sizes):
             self._suggest(ob)
@@ -117,8 +117,8 @@ class _Between:
             if is_given or not self._suggest(ob):
                 return reports.failed(self, error, ob.name)
             return self.execute(context)
-        hand.keep(ob.data, outcome[1].parents)
-        hand.note_pair(self, ob, outcome[1].parents, parted)
+        active_shape.keep(ob.data, outcome[1].parents)
+        active_shape.note_pair(self, ob, outcome[1].parents, parted)
         return reports.finished(self, reports.Said(self.done.format(ob.name) + pieces.told([outcome])))
 
     def _suggest(self, ob):

@@ -5,13 +5,13 @@ from functools import partial
 import bpy
 
 from ...bridge.analysis import surveys
-from ...bridge.data.file_state import state
 from ...bridge.edit import replace_pieces
 from ...bridge.follow import neighboring_curves
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.meets import meeting
-from .. import aim_overlay, hand, picking
+from .. import active_shape, aim_overlay, picking
+from ..ui_state import ui_state
 from . import curve_corners, curve_meeting, polls, reports
 from .insert_here import ByClick
 from .pointing import Pointing, given, redraw
@@ -152,7 +152,7 @@ class _PicksCurves(Pointing):
         return self.begin(context, event)
 
     def forget(self):
-        state.aimed = None
+        ui_state.aimed = None
 
     def look(self, context, event):
         try:
@@ -161,12 +161,12 @@ class _PicksCurves(Pointing):
             found = None                # such a shape shows nothing to point at
         self._found = found if found and not self._is_picked(found) else None
         shown = self._found or next(iter(self._picked), None)
-        state.aimed = aim_overlay.Aim(shown[0].name, *shown[1:], 'U') if shown else None
+        ui_state.aimed = aim_overlay.Aim(shown[0].name, *shown[1:], 'U') if shown else None
         redraw()
         return self._found is not None
 
     def meant(self, context):
-        obs = [ob for ob in context.selected_objects if hand.is_free(ob) and ob.visible_get()]
+        obs = [ob for ob in context.selected_objects if active_shape.is_free(ob) and ob.visible_get()]
         return [ob for ob in obs if ob != self._picked[0][0]] if self._picked and len(obs) > 1 else obs
 
     def _is_picked(self, found):

@@ -7,7 +7,7 @@ from ...bridge.data import store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES
 from ...core.joints import joints
-from .. import hand, scene_tolerance
+from .. import active_shape, scene_tolerance
 from . import polls, reports
 from .pick_piece import draw_number
 from .pieces import UpToTolerance, scene_tolerance_property, told
@@ -34,18 +34,18 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
         return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         return self.execute(context)
 
     def execute(self, context):
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
-        parted = hand.count_of(ob.data) if others else None
+        parted = active_shape.count_of(ob.data) if others else None
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.keep(ob.data, outcome[1].parents)
-        hand.note_pair(self, ob, outcome[1].parents, parted)
+        active_shape.keep(ob.data, outcome[1].parents)
+        active_shape.note_pair(self, ob, outcome[1].parents, parted)
         return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
@@ -76,7 +76,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
         before = store.read(ob.data)
         changed = joints.chained(before, self.tolerance)
         replace_pieces.put(ob.data, before, changed)
-        hand.keep(ob.data, changed.parents)
+        active_shape.keep(ob.data, changed.parents)
         return before, changed
 
     def said(self, outcomes):
@@ -109,7 +109,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
             outcome = joining.join_changed(ob, others, lambda definition, parted: joints.chained(definition, self.tolerance))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.keep(ob.data, outcome[1].parents)
+        active_shape.keep(ob.data, outcome[1].parents)
         return reports.finished(self, reports.Said(f"Joined curves into {ob.name}" + told([outcome])))
 
     def draw(self, context):

@@ -8,13 +8,13 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge.data.file_state import state
 from ...bridge.shape import recipe_edit, shape
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES
 from ...core.drawing import contours, guides
 from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
+from ..ui_state import ui_state
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
 from .pointing import PASSED, Typing, redraw
@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.contour = state.weighing = None
+        ui_state.contour = ui_state.weighing = None
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
@@ -189,10 +189,10 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         return np.hypot(*(first - (event.mouse_x - region.x, event.mouse_y - region.y))) <= picking.near(_MEETING)
 
     def _show(self, context, event):
-        state.contour = self._drawn, self._longer
+        ui_state.contour = self._drawn, self._longer
         words = " ".join(filter(None, (self._measures(), self._mark)))
         view = self._view or picking.view_at(event.mouse_x, event.mouse_y)
-        state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
+        ui_state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
                           if view and words else None)
         kind = "tangent arc" if self._kind == contours.ARC else "segment"
         keys = [f"Click: {kind}", "A: segment, arc",

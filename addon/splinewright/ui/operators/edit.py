@@ -5,7 +5,7 @@ import bpy
 from ...bridge.cage import net_object
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
-from .. import editing, hand, messages, progress, texts
+from .. import active_shape, editing, messages, progress, texts
 from . import polls, reports
 
 
@@ -19,7 +19,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        reason = editing.why_not(hand.shape_of(context.object))
+        reason = editing.why_not(active_shape.shape_of(context.object))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -27,7 +27,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def execute(self, context):
         try:
             with progress.shown(context, len(context.selected_objects)) as step:
-                editing.enter(context, hand.shape_of(context.object), step)
+                editing.enter(context, active_shape.shape_of(context.object), step)
         except FAILURES as error:
             return reports.failed(self, error)
         return {'FINISHED'}

@@ -9,7 +9,7 @@ from ...bridge.mesh import mesh_looks
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
-from .. import hand
+from .. import active_shape
 from . import reports
 from .pick_piece import draw_number
 from .selected import OnSelected
@@ -65,13 +65,13 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
                       default=0, min=0, options={'SKIP_SAVE'})
 
     def invoke(self, context, event):
-        hand.begin(self, self.chosen(context))
+        active_shape.begin(self, self.chosen(context))
         return self.execute(context)
 
     def execute(self, context):
-        hand.forget_asked()
+        active_shape.forget_asked()
         for ob in self.chosen(context):
-            hand.note(self, 'piece', ob)
+            active_shape.note(self, 'piece', ob)
         return super().execute(context)
 
     def draw(self, context):

@@ -8,7 +8,7 @@ from ...bridge.edit import replace_pieces
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.formulas import formulas, teaching
-from .. import hand
+from .. import active_shape
 from . import reports
 from .pick_piece import draw_number
 
@@ -36,7 +36,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
         return True
 
     def invoke(self, context, event):
-        hand.begin(self, [context.object])
+        active_shape.begin(self, [context.object])
         return self.execute(context)
 
     def draw(self, context):
@@ -46,8 +46,8 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
 
     def execute(self, context):
         ob = context.object
-        hand.forget_asked()
-        hand.note(self, 'piece', ob)
+        active_shape.forget_asked()
+        active_shape.note(self, 'piece', ob)
         try:
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
             written = formulas.text(curve, decimals.typed(self.position))

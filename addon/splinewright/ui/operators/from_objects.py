@@ -13,7 +13,7 @@ from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import hand, recipe_props, scene_tolerance
+from .. import active_shape, recipe_props, scene_tolerance
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .long_work import LongWork
@@ -55,7 +55,7 @@ class _FromObjects(LongWork, Repeatable):
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
-            hand.begin(self, sources_of(context, self.recipe))
+            active_shape.begin(self, sources_of(context, self.recipe))
         return self.called(context) if self.recipe.takes_cancel else self.execute(context)
 
     def tasks(self, context):
@@ -83,9 +83,9 @@ class _FromObjects(LongWork, Repeatable):
         sources, recipe = sources_of(context, self.recipe), self.recipe
         if self._lacking(sources):
             return reports.cancelled(self, self._lacking(sources))
-        hand.forget_asked()
+        active_shape.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
-            hand.note(self, 'piece', sources[0])
+            active_shape.note(self, 'piece', sources[0])
         new_shapes.settle(self)
         self._settle(context, sources)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)

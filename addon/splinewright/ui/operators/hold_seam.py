@@ -9,7 +9,7 @@ from ...core.base.failures import FAILURES, Refusal
 from ...core.joints import patch_joints
 from ...core.joints.held import Held, are_one
 from ...core.verbs.patch_curves import SIDE_CHOICES
-from .. import editing, hand
+from .. import active_shape, editing
 from . import reports
 from .patch_join import came_apart, continuity_property, moves_property, told
 
@@ -31,7 +31,7 @@ class OnWhatHolds:
 
     @classmethod
     def poll(cls, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         if ob is None or not cls.fits(ob):
             cls.poll_message_set(f"Select a {cls.kind} shape, or edit its net")
             return False
@@ -45,7 +45,7 @@ class OnWhatHolds:
         problem = editing.unread(nets)
         if problem:
             return reports.cancelled(self, problem)
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         try:
             said, warnings = self.work(ob)
         except FAILURES as error:

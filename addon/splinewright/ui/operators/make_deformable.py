@@ -9,7 +9,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
 from ...core.deform import deforming
-from .. import hand
+from .. import active_shape
 from . import reports
 from .pieces import UpToTolerance, scene_tolerance_property
 
@@ -36,7 +36,7 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
         before = replace_pieces.read(ob.data)
         found = deforming.deformed(before, self.tolerance)
         replace_pieces.put(ob.data, before, found.changed)
-        hand.keep(ob.data, found.changed.parents)
+        active_shape.keep(ob.data, found.changed.parents)
         return found.changed.error, found.rational
 
     def said(self, outcomes):

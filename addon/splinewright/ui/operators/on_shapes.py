@@ -10,7 +10,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.shape import parameters
 from ...core.verbs import patch_verbs, verbs
-from .. import hand
+from .. import active_shape
 from . import pieces
 from .pieces import parameter_property
 from .selected import OnSelected
@@ -109,7 +109,7 @@ class WithNeighbors(AlongShapes):
         return [*super().all_settings(), 'neighbors']
 
     def work(self, context, ob):
-        if replace_pieces.is_curve_shape(ob) or not self.piece or not self.neighbors or hand.count_of(ob.data) < 2:
+        if replace_pieces.is_curve_shape(ob) or not self.piece or not self.neighbors or active_shape.count_of(ob.data) < 2:
             return super().work(context, ob)
         outcome = replace_pieces.do_each(ob.data, self._verbs, self.already)
         self._note(ob, outcome[1])

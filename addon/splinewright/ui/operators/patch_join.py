@@ -10,7 +10,7 @@ from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.joints import patch_joints, seams
 from ...core.verbs.patch_curves import SIDES, SIDE_CHOICES
-from .. import hand
+from .. import active_shape
 from . import polls, reports
 from .pick_piece import draw_number
 
@@ -61,20 +61,20 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         return self.execute(context)
 
     def execute(self, context):
         ob = context.object
         other = next((other for other in context.selected_objects if other != ob), None)
-        parted = hand.count_of(ob.data) if other else None
+        parted = active_shape.count_of(ob.data) if other else None
         named = _named_of_two(ob, other) if other else _named
         try:
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.note_pair(self, ob, found.changed.parents, parted)
+        active_shape.note_pair(self, ob, found.changed.parents, parted)
         return reports.finished(self, reports.Said(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
 
     def _choice(self, which):
@@ -98,7 +98,7 @@ def _named(number):
 
 def _named_of_two(ob, other):
     """(number of a patch of both, counted from 1) -> what it is called: by its object, while there are two."""
-    owners = [(owner.name, number, count) for owner, count in ((one, hand.count_of(one.data)) for one in (ob, other))
+    owners = [(owner.name, number, count) for owner, count in ((one, active_shape.count_of(one.data)) for one in (ob, other))
               for number in range(1, count + 1)]
 
     def named(number):

@@ -14,7 +14,7 @@ from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.joints import seams
 from ...core.verbs import verbs
-from .. import editing, hand, scene_tolerance
+from .. import active_shape, editing, scene_tolerance
 from . import reports
 from .long_work import LongWork
 from .pick_piece import draw_number
@@ -119,7 +119,7 @@ class OnPieces(OnSelected):
         return replace_pieces.can_change(ob.data)
 
     def invoke(self, context, event):
-        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
+        active_shape.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
         return super().invoke(context, event)
 
     def execute(self, context):
@@ -128,9 +128,9 @@ class OnPieces(OnSelected):
             return reports.cancelled(self, problem)
         if self.only and not self.chosen(context):
             return reports.cancelled(self, f"{self.only} is not selected, or of another kind")
-        hand.forget_asked()
+        active_shape.forget_asked()
         for ob in self.chosen(context):
-            hand.note(self, 'piece', ob)
+            active_shape.note(self, 'piece', ob)
         if self.has_scene_tolerance:
             scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
         self._holding = self._count_holding(context)
@@ -153,8 +153,8 @@ class OnPieces(OnSelected):
         return outcome
 
     def _note(self, ob, changed):
-        hand.keep(ob.data, changed.parents)
-        hand.note(self, 'piece', ob, [parent + 1 for parent in changed.parents])
+        active_shape.keep(ob.data, changed.parents)
+        active_shape.note(self, 'piece', ob, [parent + 1 for parent in changed.parents])
 
     def after(self, context):
         """Nets that are edited come out again, of the shapes as they are now."""
@@ -257,7 +257,7 @@ class FromActive:
     def invoke(self, context, event):
         """With one piece, where no value fits all."""
         is_given = self.properties.is_property_set
-        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
+        active_shape.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
         try:
             found = verbs.pieces_of(store.read(self._a_shape(context).data))
             if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:

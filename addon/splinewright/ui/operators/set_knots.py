@@ -7,13 +7,13 @@ from bpy.props import EnumProperty, IntProperty, StringProperty
 
 from ...bridge.cage import net_object
 from ...bridge.data import held, store
-from ...bridge.data.file_state import state
 from ...bridge.net import live
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, sentence
 from ...core.verbs import knots
-from .. import editing, hand, texts
+from .. import active_shape, editing, texts
+from ..ui_state import ui_state
 from . import reports
 from .pick_piece import draw_number
 
@@ -46,18 +46,18 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 
     def invoke(self, context, event):
         owner = _shape_in_hand(context)
-        hand.forget_asked()
-        hand.begin(self, [owner])
+        active_shape.forget_asked()
+        active_shape.begin(self, [owner])
         try:
             self._show_knots(owner.data)
         except FAILURES as error:
             return reports.failed(self, error)
         self._show_refused(owner.data)
-        state.asking.add(self.bl_idname)
+        ui_state.asking.add(self.bl_idname)
         return context.window_manager.invoke_props_dialog(self, width=700)
 
     def cancel(self, context):
-        state.asking.discard(self.bl_idname)
+        ui_state.asking.discard(self.bl_idname)
 
     def check(self, context):
         """A setting was changed: with another piece or axis the text becomes the knots of that."""
@@ -112,8 +112,8 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     def execute(self, context):
         self.cancel(context)            # the dialog is closed
         owner = _shape_in_hand(context)
-        hand.forget_asked()
-        hand.note(self, 'piece', owner)
+        active_shape.forget_asked()
+        active_shape.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
             live.pull(ob)
@@ -140,7 +140,7 @@ def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
     if net_object.is_net(ob):
-        return hand.shape_of(ob) if ob.mode == 'EDIT' else None
+        return active_shape.shape_of(ob) if ob.mode == 'EDIT' else None
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from ..bridge.analysis import overlays
-from . import colors, strokes
+from . import colors, line_batches
 
 
 class Sight(NamedTuple):
@@ -26,49 +26,49 @@ def prepared(sight, data, chosen):
 
 
 def _isocurves(data, count):
-    return [strokes.lines(overlays.isocurves_of(data, count), lambda: colors.ISOCURVES, 1.2)]
+    return [line_batches.lines(overlays.isocurves_of(data, count), lambda: colors.ISOCURVES, 1.2)]
 
 
 def _knot_lines(data):
-    return [strokes.lines(overlays.knots_of(data), lambda: colors.KNOTS_OF_PATCHES, 2.4)]
+    return [line_batches.lines(overlays.knots_of(data), lambda: colors.KNOTS_OF_PATCHES, 2.4)]
 
 
 def _normals(data, count, length):
-    return [strokes.lines(overlays.normals_of(data, count, length), lambda: colors.NORMALS, 1.2)]
+    return [line_batches.lines(overlays.normals_of(data, count, length), lambda: colors.NORMALS, 1.2)]
 
 
 def _polygon(data):
     found = overlays.polygon_of(data)
-    rows = [strokes.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
-    return [*rows, strokes.arrows(found.arrows, colors.of_arrows),
-            strokes.points(found.points, colors.of_points, lambda: 5.0)]
+    rows = [line_batches.lines(pairs, lambda axis=axis: colors.of_net()[axis], 1.5) for axis, pairs in enumerate(found.rows)]
+    return [*rows, line_batches.arrows(found.arrows, colors.of_arrows),
+            line_batches.points(found.points, colors.of_points, lambda: 5.0)]
 
 
 def _comb(data, density, scale):
     found = overlays.comb_of(data, density, scale)
-    return [strokes.lines(found.teeth, lambda: colors.TEETH, 1.0), strokes.lines(found.back, lambda: colors.BACK, 1.8)]
+    return [line_batches.lines(found.teeth, lambda: colors.TEETH, 1.0), line_batches.lines(found.back, lambda: colors.BACK, 1.8)]
 
 
 def _hodograph(data, part, scale):
     found = overlays.hodographs_of(data, part, scale)
-    return [strokes.lines(found.lines, lambda: colors.HODOGRAPH, 1.8),
-            strokes.arrows(found.arrows, lambda: colors.HODOGRAPH)]
+    return [line_batches.lines(found.lines, lambda: colors.HODOGRAPH, 1.8),
+            line_batches.arrows(found.arrows, lambda: colors.HODOGRAPH)]
 
 
 def _curve(data):
-    return [strokes.lines(overlays.curves_of(data), lambda: colors.CURVE, 2.5)]
+    return [line_batches.lines(overlays.curves_of(data), lambda: colors.CURVE, 2.5)]
 
 
 def _frame(data, part, length):
     found = overlays.frames_of(data, part, length)
-    axes = [strokes.lines(pairs, lambda color=color: color, 2.5) for pairs, color in zip(found.axes, colors.FRAME)]
-    return [strokes.lines(found.circles, lambda: colors.CIRCLE, 1.5), *axes]
+    axes = [line_batches.lines(pairs, lambda color=color: color, 2.5) for pairs, color in zip(found.axes, colors.FRAME)]
+    return [line_batches.lines(found.circles, lambda: colors.CIRCLE, 1.5), *axes]
 
 
 def _knot_marks(data):
     marks = overlays.knots_of(data)
-    return [strokes.points(marks, lambda: colors.RIM, lambda: 9.0),
-            strokes.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
+    return [line_batches.points(marks, lambda: colors.RIM, lambda: 9.0),
+            line_batches.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
 
 
 #: What lies above others comes last.

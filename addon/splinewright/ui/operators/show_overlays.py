@@ -7,7 +7,7 @@ from bpy.props import EnumProperty
 
 from ...bridge.data.settings import overlays_of
 from ...bridge.edit import replace_pieces
-from .. import hand
+from .. import active_shape
 from . import reports
 
 
@@ -55,7 +55,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if hand.shape_of(context.object) is None and not hand.shapes(context):
+        if active_shape.shape_of(context.object) is None and not active_shape.shapes(context):
             cls.poll_message_set("Select a shape")
             return False
         return True
@@ -72,7 +72,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
         return {'FINISHED'}
 
     def _continuity(self, context):
-        obs = [ob for ob in {*hand.shapes(context), hand.shape_of(context.object)} if ob is not None and replace_pieces.is_patch_shape(ob)]
+        obs = [ob for ob in {*active_shape.shapes(context), active_shape.shape_of(context.object)} if ob is not None and replace_pieces.is_patch_shape(ob)]
         if not obs:
             return reports.cancelled(self, "Select a surface: the panel Continuity lists the joints of curves")
         blocks = {ob.data for ob in obs}

@@ -4,11 +4,11 @@ import numpy as np
 
 from ..bridge.cage import net_object
 from ..bridge.data import settings, store
-from ..bridge.data.file_state import state
 from ..bridge.net import live, selection
 from ..bridge.recipes import recipes
 from ..bridge.shape import shape
 from . import editing
+from .ui_state import ui_state
 
 _NAMES = ('piece', 'other_piece')
 
@@ -117,14 +117,14 @@ def begin_pair(operator, context):
 
 def forget_asked():
     """An operator that asks for pieces begins."""
-    state.asked.clear()
+    ui_state.asked.clear()
 
 
 def note(operator, setting, ob, numbers=None):
     """A setting of an operator names a piece of an object. numbers: by which it means the pieces that are there now, 0
     for one that it does not mean; as they are counted if none are given."""
     numbers = counted(ob.data) if numbers is None else tuple(numbers)
-    state.asked.setdefault((type(operator).__name__, setting), {})[ob.name] = numbers
+    ui_state.asked.setdefault((type(operator).__name__, setting), {})[ob.name] = numbers
 
 
 def note_pair(operator, ob, parents, parted):
@@ -137,4 +137,4 @@ def note_pair(operator, ob, parents, parted):
 
 def asked(operator):
     """{setting: {name of an object: numbers of its pieces}} that were noted for the last operator; {} for another one."""
-    return {setting: found for (name, setting), found in state.asked.items() if name == operator.bl_idname}
+    return {setting: found for (name, setting), found in ui_state.asked.items() if name == operator.bl_idname}

@@ -6,9 +6,9 @@ Blender tells no add-on of a mode before it is there: the way back is gone as so
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge.data.file_state import state
 from ..bridge.shape import shape
 from . import editing, timers
+from .ui_state import ui_state
 
 _TOGGLES = {'OBJECT_OT_editmode_toggle', 'OBJECT_OT_mode_set'}
 
@@ -16,17 +16,17 @@ _TOGGLES = {'OBJECT_OT_editmode_toggle', 'OBJECT_OT_mode_set'}
 @persistent
 def updated(scene, depsgraph):
     """Look at the mode, which undo and redo bring back as it was: that is left alone."""
-    if bpy.app.background or state.suspended:
+    if bpy.app.background or ui_state.suspended:
         return
     is_in = editing.is_in_result(bpy.context)
-    if is_in and not state.was_in_result:
+    if is_in and not ui_state.was_in_result:
         timers.soon(_go)
-    state.was_in_result = is_in
+    ui_state.was_in_result = is_in
 
 
 @persistent
 def undone(*_):
-    state.was_in_result = editing.is_in_result(bpy.context)
+    ui_state.was_in_result = editing.is_in_result(bpy.context)
     timers.call_off(_go)
 
 

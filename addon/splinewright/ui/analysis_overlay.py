@@ -4,11 +4,11 @@ import bpy
 import gpu
 
 from ..bridge.cage import net_object
-from ..bridge.data.file_state import state
 from ..bridge.data.settings import overlays_of
 from ..bridge.shape import images, shape
-from . import deviation_paint, editing, sights_strokes, strokes, surface_paint
-from .sights_strokes import SIGHTS
+from . import analysis_lines, deviation_paint, editing, line_batches, surface_paint
+from .analysis_lines import SIGHTS
+from .ui_state import ui_state
 
 
 def draw_paint():
@@ -23,18 +23,18 @@ def draw_paint():
 
 def draw():
     """Called by Blender for each 3D view: lines and points."""
-    context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)), is_any_on=bool(state.nets))
+    context, chosen = bpy.context, _chosen(('deviation', *(sight.switch for sight in SIGHTS)), is_any_on=bool(ui_state.nets))
     if chosen is None:
         return
     if chosen.deviation:
         deviation_paint.draw_lines(chosen, shapes_in_hand(context))
     for ob in shapes_seen(context):
         for matrix in images.of(ob, context.view_layer, context.space_data):
-            with gpu.matrix.push_pop(), strokes.nearer():
+            with gpu.matrix.push_pop(), line_batches.nearer():
                 gpu.matrix.multiply_matrix(matrix)
                 for behind, drawn in _strokes(ob, chosen):
                     gpu.state.depth_test_set('NONE' if behind or ob.show_in_front else 'LESS_EQUAL')
-                    strokes.draw(drawn)
+                    line_batches.draw(drawn)
     gpu.state.depth_test_set('NONE')
 
 
@@ -58,7 +58,7 @@ def _chosen(switches, is_any_on=False):
 def shapes_in_hand(context):
     """Shapes that are selected or active, and those whose nets are out, as far as they are seen."""
     found = {ob: None for ob in (*context.selected_objects, context.object) if shape.has_shape(ob)}
-    for held in editing.nets() if state.nets else ():
+    for held in editing.nets() if ui_state.nets else ():
         owner = net_object.shape_of(held)
         if shape.has_shape(owner):
             found[owner] = None
@@ -84,7 +84,7 @@ def _strokes(ob, chosen):
         is_on = getattr(chosen, sight.switch) or (is_out and sight.switch == 'curve')
         if is_on and sight.type in ('', ob.type) and not (is_net and is_out):
             behind = chosen.points_behind and (is_net or ob.type == 'CURVE')
-            yield behind, sights_strokes.prepared(sight, ob.data, chosen)
+            yield behind, analysis_lines.prepared(sight, ob.data, chosen)
 
 
 def _is_net_out(data):

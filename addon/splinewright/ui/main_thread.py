@@ -9,7 +9,7 @@ import traceback
 
 import bpy
 
-from ..bridge.data.file_state import state
+from .ui_state import ui_state
 
 #: Seconds that a thread waits. The main one takes as long only where it waits for that very thread.
 _PATIENCE = 10.0
@@ -53,29 +53,29 @@ def in_main_thread(function, scene):
     may be any thread, though panels that are drawn may forbid it to write."""
     frame = scene.frame_current, scene.frame_subframe
     if is_main_thread():
-        state.looks_left = min(state.looks_left, 1)
+        ui_state.looks_left = min(ui_state.looks_left, 1)
         function()
     elif _is_hopeless(frame):
         return
     elif _is_done_in_main_thread(function):
-        state.served = frame
+        ui_state.served = frame
     elif scene.render.use_lock_interface:
         function()
     elif not scene.frame_subframe:
-        state.missed += 1
+        ui_state.missed += 1
 
 
 def _is_hopeless(frame):
     """EEVEE keeps the main thread from drawing while it looks at what lies between frames, for motion blur. That comes
     between two looks at the frame itself, the first of which finds the main thread free."""
-    return state.is_deaf and (frame[1] != 0.0 or frame == state.served)
+    return ui_state.is_deaf and (frame[1] != 0.0 or frame == ui_state.served)
 
 
 def _is_done_in_main_thread(function):
     errand = Errand(function)
-    state.errands.append(errand)
+    ui_state.errands.append(errand)
     is_done = errand.wait(_PATIENCE)
-    state.is_deaf |= not is_done
+    ui_state.is_deaf |= not is_done
     return is_done
 
 
@@ -85,18 +85,18 @@ def serve(come_back):
     come_back: is called when renders and exports are over, after which shapes are as the last frame wanted them.
     """
     is_rendering = bpy.app.is_job_running('RENDER')
-    if state.errands or state.is_deaf and is_rendering:
-        state.looks_left = _QUIET_LOOKS
-    elif state.looks_left and not is_rendering:
-        state.looks_left -= 1
-        if not state.looks_left:
-            state.is_deaf, state.served = False, None
+    if ui_state.errands or ui_state.is_deaf and is_rendering:
+        ui_state.looks_left = _QUIET_LOOKS
+    elif ui_state.looks_left and not is_rendering:
+        ui_state.looks_left -= 1
+        if not ui_state.looks_left:
+            ui_state.is_deaf, ui_state.served = False, None
             come_back()
-    while state.errands:
-        state.errands.pop(0).run()
-    return _OFTEN if is_rendering or state.looks_left else _SELDOM
+    while ui_state.errands:
+        ui_state.errands.pop(0).run()
+    return _OFTEN if is_rendering or ui_state.looks_left else _SELDOM
 
 
 def is_away():
     """Whether shapes are as a render or an export wants them, not as the views do."""
-    return state.looks_left > 0
+    return ui_state.looks_left > 0

@@ -7,7 +7,7 @@ from ..bridge.analysis import deviations
 from ..bridge.cage import net_object
 from ..bridge.data.settings import overlays_of
 from ..bridge.shape import shape
-from . import kinds, sights_overlay, texts
+from . import analysis_overlay, object_kinds, texts
 from .sub_panel import ClosedPanel
 
 #: Characters that fit a line of the popover.
@@ -16,14 +16,14 @@ _CURVES, _PATCHES = {'curve'}, {'patch'}
 #: Switches by groups, of what they show something, and the settings that belong to them.
 _GROUPS = (
     ("Structure", (
-        ("polygon", kinds.SHAPES, ()), ("points_behind", kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", kinds.SHAPES, ()),
-        ("weights", kinds.SHAPES, ()), ("strip", kinds.SHAPES, ("strip_tolerance",)), ("isocurves", _PATCHES, ("isocurve_count",)),
+        ("polygon", object_kinds.SHAPES, ()), ("points_behind", object_kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", object_kinds.SHAPES, ()),
+        ("weights", object_kinds.SHAPES, ()), ("strip", object_kinds.SHAPES, ("strip_tolerance",)), ("isocurves", _PATCHES, ("isocurve_count",)),
         ("normals", _PATCHES, ("normal_length", "normal_count")))),
     ("Curvature", (
         ("comb", _CURVES, ("comb_scale", "comb_density")), ("frame", _CURVES, ("frame_length", "place")),
         ("hodograph", _CURVES, ("hodograph_scale", "place")), ("stripes", _PATCHES, ("stripe_kind", "stripe_count", "stripe_axis")),
         ("curvature", _PATCHES, ("curvature_kind", "curvature_range")))),
-    ("Deviation", (("deviation", kinds.SHAPES, ("deviation_object", "deviation_range")),)))
+    ("Deviation", (("deviation", object_kinds.SHAPES, ("deviation_object", "deviation_range")),)))
 #: It is shown beside its switch, too: without it there is nothing to see.
 _BESIDE = "deviation_object"
 
@@ -70,7 +70,7 @@ def _draw_settings(column, chosen, names):
 
 
 def _draw_problem(layout, context, width=None):
-    said = deviations.problem(context.scene, sights_overlay.shapes_in_hand(context)) if overlays_of(context.scene).deviation else ""
+    said = deviations.problem(context.scene, analysis_overlay.shapes_in_hand(context)) if overlays_of(context.scene).deviation else ""
     if said:
         texts.draw_problem(layout, said, width)
 
@@ -103,7 +103,7 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
 
 def _concerned(context):
     """[(label, switches that show something of the shapes in hand with their settings)]; all switches where there are none."""
-    found = {kinds.of(ob) for ob in sights_overlay.shapes_in_hand(context)} & kinds.SHAPES or kinds.SHAPES
+    found = {object_kinds.of(ob) for ob in analysis_overlay.shapes_in_hand(context)} & object_kinds.SHAPES or object_kinds.SHAPES
     groups = [(label, [(switch, settings) for switch, concerned, settings in switches if concerned & found])
               for label, switches in _GROUPS]
     return [(label, switches) for label, switches in groups if switches]
