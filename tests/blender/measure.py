@@ -207,7 +207,7 @@ def drag(set_fineness, count=40, points=COUNT):
     set_fineness(ob.data)
     held = enter()
     found = *steps_of(held, count), *steps_of(held, count, bare(held, ob.data))
-    settled = once(lambda: live.settle(ob.data))
+    settled = once(lambda: live.finalize(ob.data))
     bpy.ops.splinewright.leave_net()
     return len(ob.data.vertices), *found, settled
 

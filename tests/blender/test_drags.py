@@ -26,7 +26,7 @@ def test_every_step_shows_what_an_evaluation_from_nothing_shows(name):
             ob, held = bpy.data.objects["shape"], bpy.context.object
             require_exact(ob)
         if step == 6:
-            live.settle(ob.data)
+            live.finalize(ob.data)
             require_exact(ob)
     leave()
     require_exact(ob)
@@ -65,7 +65,7 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     assert not writes and not calls and store.is_draft(ob.data)
     monkeypatch.undo()
     calls = built(monkeypatch)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert not calls
     leave()
 
@@ -85,7 +85,7 @@ def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_
     assert len(calls) == 1 and len(ob.data.vertices) > joined
     require_exact(ob)
     move(0, 0, -0.5)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert len(ob.data.vertices) == joined
     leave()
     require_exact(ob)
@@ -107,7 +107,7 @@ def test_a_shape_that_is_dragged_among_many_is_the_only_one_that_is_read(monkeyp
         monkeypatch.setattr(store, name, noted)
     monkeypatch.setattr(part('ui.editing'), 'block_of', None)       # which Blender looks through all objects for
     move(0, 0, 0.1)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert seen <= {ob.data.name, held.data.name} and ob.data.name in seen
     monkeypatch.undo()
     leave()
@@ -163,7 +163,7 @@ def test_what_was_chosen_is_chosen_again_after_a_drag_unless_another_was_chosen_
     assert 'custom_normal' not in ob.data.attributes
     bpy.ops.ed.undo()
     ob, held = bpy.data.objects["shape"], bpy.context.object
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert ob.data.attributes.active.name == name and set(ob.data.keys()) == keys
     move(0, 0, 0.1)
     ob.data.attributes.active = ob.data.attributes["parameters"]
@@ -207,7 +207,7 @@ def test_the_end_of_a_gesture_reads_the_faces_of_a_mesh_once_and_says_how_far_it
         reads.append(mesh.name)
         return work(mesh)
     monkeypatch.setattr(mesh_layers, 'corner_vertices', read)
-    live.settle(ob.data, steps.append)
+    live.finalize(ob.data, steps.append)
     assert len(reads) == 1 and steps == [1, 2]
     monkeypatch.undo()
     assert not shape.is_touched(ob.data)

@@ -25,7 +25,7 @@ def test_a_linked_block_and_a_local_one_of_the_same_name_are_two(tmp_path):
         wanted.objects = ["twin"]
     linked = wanted.objects[0]
     assert linked.data.name == local.data.name and linked.data != local.data
-    problems.tell(linked.data, problems.FOLLOWING, "of the linked one")
+    problems.set_problem(linked.data, problems.FOLLOWING, "of the linked one")
     assert problems.of(local.data, problems.FOLLOWING) == ""
     for block in (linked, local, linked.data, local.data):
         assert file_state.block_of(file_state.key(block)) == block
@@ -33,15 +33,15 @@ def test_a_linked_block_and_a_local_one_of_the_same_name_are_two(tmp_path):
 
 def test_problems_about_several_things_do_not_hide_one_another():
     data = add(patch()).data
-    problems.tell(data, problems.NET, "net")
-    problems.tell(data, problems.SETTING, "setting")
-    problems.tell(data, problems.NET, "")
+    problems.set_problem(data, problems.NET, "net")
+    problems.set_problem(data, problems.SETTING, "setting")
+    problems.set_problem(data, problems.NET, "")
     assert (problems.of(data, problems.NET), problems.of(data, problems.SETTING)) == ("", "setting")
 
 
 def test_another_file_is_another_state():
     data = add(patch()).data
-    problems.tell(data, problems.SETTING, "old")
+    problems.set_problem(data, problems.SETTING, "old")
     enter()
     leave()
     file_state.state.quiet.add(file_state.key(data))
@@ -120,7 +120,7 @@ def test_the_end_of_a_gesture_builds_no_new_faces(monkeypatch):
     def built(*_):
         raise AssertionError("the faces were built anew")
     monkeypatch.setattr(fineness, 'tessellated', built)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert not store.is_draft(ob.data)
     monkeypatch.undo()
     require_exact(ob)

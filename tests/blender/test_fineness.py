@@ -122,7 +122,7 @@ def test_a_drag_keeps_the_faces_and_its_end_gives_those_that_the_shape_asks_for(
     for _ in range(3):
         move(0, 0, 0.5)
         assert len(ob.data.polygons) == first
-    editing.settle()
+    editing.finalize()
     settled = len(ob.data.polygons)
     assert settled > first and distance(ob) <= 0.0101
     move(0, 0, -0.1)
@@ -400,7 +400,7 @@ def test_normals_turn_with_the_faces_while_points_move_and_are_exact_at_the_end(
         assert part('bridge.data.store').is_draft(ob.data)
         exact = exact_normals(ob)
         assert (corner_normals(ob.data) * exact).sum(1).mean() > 0.95 > (before * exact).sum(1).mean()
-    editing.settle()
+    editing.finalize()
     assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1
     assert not part('bridge.data.store').is_draft(ob.data)
     leave()

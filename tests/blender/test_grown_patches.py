@@ -174,7 +174,7 @@ def taken_up():
     """followed(), when what had to wait is taken up, which a timer does in a window."""
     bpy.context.view_layer.update()
     assert live.is_waiting(held()) and live.problem(held()) == ""
-    editing.take_up()
+    editing.adopt_rows()
     assert not live.is_waiting(held())
     return followed()
 
@@ -472,7 +472,7 @@ def test_a_net_that_cannot_be_read_waits_for_nothing_and_its_shape_stays():
     assert live.is_waiting(held())
     layers = mesh().verts.layers.int
     layers.remove(layers["splinewright_vertex"])
-    live.pull(held(), live.Moment.TOLD)
+    live.sync_from_cage(held(), live.Moment.TOLD)
     assert "lost the numbers" in live.problem(held())
     assert not live.is_waiting(held()) and value() == longer
     require_exact(bpy.data.objects["shape"])
@@ -493,5 +493,5 @@ def test_where_a_net_that_has_grown_cannot_be_read_its_shape_stays_until_it_can(
     assert "not to be read" in live.problem(held()) and value() == before
     assert len(session.state.positions) == len(session.points) == len(session.net.rows) > count
     monkeypatch.undo()
-    live.pull(held())
+    live.sync_from_cage(held())
     assert followed().points.shape[0] == before.points.shape[0] + 1

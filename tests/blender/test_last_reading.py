@@ -100,7 +100,7 @@ def test_a_weight_that_is_changed_where_another_point_moves_counts_at_the_end_at
     verts[9][weight] = 7.0
     tell(held)
     if how == 'settle':
-        editing.settle()
+        editing.finalize()
     elif how == 'update':
         tell(held)
     if how == 'leave':

@@ -117,7 +117,7 @@ def test_a_drag_goes_on_with_the_new_faces():
     for _ in range(2):
         move(0, 0, 0.5)
         state()
-    live.settle(bpy.data.objects["shape"].data)
+    live.finalize(bpy.data.objects["shape"].data)
     assert state()[0] == 9
 
 
@@ -204,7 +204,7 @@ def test_nets_that_were_opened_with_their_file_take_the_settings_as_they_are(tmp
     push()
     path = str(tmp_path / "net.blend")
     part('bridge.data.file_state').state.sessions.clear()        # as after loading
-    live.pull(bpy.context.object)
+    live.sync_from_cage(bpy.context.object)
     assert state()[0] == 7
     bpy.ops.wm.save_as_mainfile(filepath=path)
     bpy.ops.wm.open_mainfile(filepath=path)

@@ -84,10 +84,10 @@ def test_in_the_net_it_is_the_same_and_one_step_of_undo(kind):
     require_exact(ob)
     bpy.ops.ed.undo()
     ob = bpy.data.objects[name]
-    live.pull(bpy.context.object)
+    live.sync_from_cage(bpy.context.object)
     assert bpy.context.mode.startswith('EDIT') and store.read(ob.data).pool.tobytes() == before.pool.tobytes()
     bpy.ops.ed.redo()
-    live.pull(bpy.context.object)
+    live.sync_from_cage(bpy.context.object)
     assert store.read(bpy.data.objects[name].data).pool.tobytes() == after.pool.tobytes()
     leave()
     require_exact(bpy.data.objects[name])
@@ -163,7 +163,7 @@ def test_several_pulls_after_other_edits_keep_what_does_not_move():
     net = enter()
     select(net, 7)
     bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 1))
-    live.pull(net)
+    live.sync_from_cage(net)
     before = store.read(ob.data)
     (start, _) = pieces(ob)[0].domain
     for _ in range(3):
@@ -178,7 +178,7 @@ def test_a_net_that_has_gained_points_is_pulled_with_them():
     net = enter()
     select(net, 2, 3)
     assert bpy.ops.curve.subdivide('EXEC_DEFAULT', True) == {'FINISHED'}
-    live.pull(net)
+    live.sync_from_cage(net)
     before = pieces(ob)[0]
     assert len(before.points) == 9
     u = float(np.float32(before.knots[5]))
@@ -224,7 +224,7 @@ def test_refusals_change_nothing(in_net):
         assert store.read(held.data).pool.tobytes() == before.pool.tobytes()
         require_exact(held)
         if in_net:
-            live.pull(bpy.context.object)
+            live.sync_from_cage(bpy.context.object)
             assert live.problem(bpy.context.object) == ""
             leave()
     other.scale = (0, 1, 1)

@@ -71,7 +71,7 @@ class Walk:
         for ob in self.shapes():
             ours = ob.mode == 'OBJECT' and not (ob.library or ob.data.library or ob.data.shape_keys)
             if ours and not shape.is_touched(ob.data):
-                live.settle(ob.data)
+                live.finalize(ob.data)
                 require_exact(ob)
                 self.checked += 1
 

@@ -25,7 +25,7 @@ def loft(count=3):
 
 def said():
     bpy.context.view_layer.update()
-    return {ob.name: why for ob, why in stopped.said(bpy.context.view_layer)}
+    return {ob.name: why for ob, why in stopped.sentence(bpy.context.view_layer)}
 
 
 def panel(ob):

@@ -342,21 +342,21 @@ def keys():
 @pytest.mark.parametrize('name', ('nurbs', 'nurbs patch'))
 def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
     hints, state = part('ui.hints'), part('ui.ui_state').ui_state
-    assert hints.said(bpy.context) == []
+    assert hints.shown_keys(bpy.context) == []
     add(VALUES[name]())
     enter()
-    assert hints.said(bpy.context) == [
+    assert hints.shown_keys(bpy.context) == [
         (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_ALT", "EVENT_G"], "Pull Shape"),
         *([(["EVENT_ALT", "EVENT_S"], "Radius"), (["EVENT_CTRL", "EVENT_T"], "Tilt")] if name == 'nurbs' else []),
         (["EVENT_I"], "Insert Point Keyframes"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
     state.status = "a problem"
     try:
-        assert hints.said(bpy.context) == [], "problems have the first right"
+        assert hints.shown_keys(bpy.context) == [], "problems have the first right"
     finally:
         state.status = ""
     part('ui.preferences').get().show_hints = False
     try:
-        assert hints.said(bpy.context) == []
+        assert hints.shown_keys(bpy.context) == []
     finally:
         part('ui.preferences').get().show_hints = True
 
@@ -365,10 +365,10 @@ def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
 def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, monkeypatch):
     hints, state = part('ui.hints'), part('ui.ui_state').ui_state
     monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
-    assert hints.said(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
+    assert hints.shown_keys(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
     for field, value in (('is_pointing', True), ('drawn_stroke', ((0, 0, 0),)), ('contour', ("drawn", "longer"))):
         monkeypatch.setattr(state, field, value)
-        assert hints.said(bpy.context) == [], f"{field}: a gesture has keys of its own"
+        assert hints.shown_keys(bpy.context) == [], f"{field}: a gesture has keys of its own"
         monkeypatch.undo()
         monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
 
@@ -379,11 +379,11 @@ def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
     sights.strip, state.pointed_knot = True, pointed(1, "shape", 0, 2, 1.0)
     inserting = (["MOUSE_LMB"], "twice: Insert Knot")
     try:
-        assert hints.said(bpy.context) == [(["MOUSE_LMB_DRAG"], "Move Knot"), inserting, (["EVENT_X"], "Remove Knot")]
+        assert hints.shown_keys(bpy.context) == [(["MOUSE_LMB_DRAG"], "Move Knot"), inserting, (["EVENT_X"], "Remove Knot")]
         state.pointed_knot = pointed(1, "shape", 0, None, 1.0)
-        assert hints.said(bpy.context) == [inserting]
+        assert hints.shown_keys(bpy.context) == [inserting]
         sights.strip = False
-        assert hints.said(bpy.context) == []
+        assert hints.shown_keys(bpy.context) == []
     finally:
         state.pointed_knot = None
         sights.property_unset('strip')

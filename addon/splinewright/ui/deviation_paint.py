@@ -66,7 +66,7 @@ def draw_legend(context, chosen, obs):
                 numbers, surface_shader.DISTANCES, _notes(shown, unit))
 
 
-def settle():
+def rest():
     """Nothing has changed for a while."""
     ui_state.is_still = True
     redraw()

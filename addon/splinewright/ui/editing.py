@@ -12,7 +12,7 @@ from ..bridge.keys import point_keys
 from ..bridge.net import live, magnet, selection
 from ..bridge.recipes import recipes
 from ..bridge.shape import recipe_edit, shape
-from ..core.base.failures import FAILURES, Refusal, sentence, told
+from ..core.base.failures import FAILURES, Refusal, sentence, text_of
 from . import progress
 from .ui_state import ui_state
 
@@ -120,7 +120,7 @@ def enter(context, active, progress=shape.no_progress):
         raise Refusal(f"{active.name} is not in the current view layer: its net cannot be edited from here")
     for ob in put_out:
         if ob not in made:
-            live.pull(ob)
+            live.sync_from_cage(ob)
     settle_magnet()
     return put_out
 
@@ -128,7 +128,7 @@ def enter(context, active, progress=shape.no_progress):
 def settle_magnet():
     """What moves with nets is no target of Blender's magnet, and all else is."""
     for scene in bpy.data.scenes:
-        magnet.settle(scene, nets())
+        magnet.exclude_nets(scene, nets())
 
 
 def _put_out(context, ob):
@@ -177,7 +177,7 @@ def _brought_back(context, held):
 def unread(nets):
     """What the shapes of nets in Edit Mode do not take, as one sentence, or ""."""
     for ob in nets:
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return "; ".join(filter(None, map(live.unread, nets)))
 
 
@@ -204,7 +204,7 @@ def put_away(context, ob):
     if not _is_copy(ob):
         net_object.end(ob)
         if owner is not None:
-            point_keys.settle(owner.data)
+            point_keys.finalize(owner.data)
     layer = context.view_layer
     others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
@@ -268,7 +268,7 @@ def sweep():
         try:
             _sweep(ob)
         except Exception as error:
-            problems.tell(ob.data, problems.NET, told(error))
+            problems.set_problem(ob.data, problems.NET, text_of(error))
     settle_magnet()
 
 
@@ -277,7 +277,7 @@ def _sweep(ob):
     if ob.mode == 'EDIT' or ob.mode != 'OBJECT' and not _to_object_mode(ob):
         return
     if ob.users_scene and not _is_copy(ob):
-        live.pull(ob)
+        live.sync_from_cage(ob)
         if live.unread(ob):
             ui_state.kept.add(key(ob))
             return
@@ -318,14 +318,14 @@ def end():
     sweep()
     for ob in nets():
         if ob.mode == 'EDIT':           # in another scene
-            live.pull(ob)
+            live.sync_from_cage(ob)
             if not live.unread(ob):
                 put_away(context, ob)
     for scene in bpy.data.scenes:
-        magnet.settle(scene, ())
+        magnet.exclude_nets(scene, ())
 
 
-def settle():
+def finalize():
     """Exact normals for the shapes of all nets."""
     for ob in nets():
         owner = net_object.shape_of(ob)
@@ -346,12 +346,12 @@ def _settle(owner, held=None, step=shape.no_progress):
     try:
         if held is not None:
             live.look_at_all(held)
-        live.settle(owner.data, step)
+        live.finalize(owner.data, step)
     except Exception as error:
-        problems.tell(owner.data, problems.SETTING, told(error))
+        problems.set_problem(owner.data, problems.SETTING, text_of(error))
 
 
-def awaken():
+def reactivate():
     """After undo without Blender's global undo: nets that were left are in Edit Mode again, and are to be seen there."""
     for ob in bpy.data.objects:
         if net_object.is_net(ob) and net_object.awakened(ob, bpy.context.scene):
@@ -359,22 +359,22 @@ def awaken():
             bpy.context.view_layer.objects.active = ob
 
 
-def take_up():
+def adopt_rows():
     """A timer: nets take up rows that were cut in when the operator has ended, which may slide them until then, and rows
     that are gone with the faces beside them, for which others are to be made."""
     waiting = [ob for ob in nets() if ob.mode == 'EDIT' and live.is_waiting(ob)]
     if waiting and ended_operators() == ui_state.awaited:
         return _LOOK
     for ob in waiting:
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return None
 
 
-#: Seconds until take_up() looks again.
+#: Seconds until adopt_rows() looks again.
 _LOOK = 0.02
 
 
-def hand_over():
+def select_originals():
     """Where points were duplicated and that was called off, the points themselves are selected, not their copies.
 
     Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
@@ -396,8 +396,8 @@ def hand_over_now():
         session = live.known_session(ob.data) if ob.mode == 'EDIT' else None
         if session is not None and live.note(ob) and not free_net.is_free(ob.data):
             with suppress(Refusal):     # of which live.problem() tells
-                selection.hand_over(ob, session.net)
-                live.pass_over(ob)
+                selection.select_originals(ob, session.net)
+                live.ignore_called_off(ob)
 
 
 def want_whole_step():

@@ -11,7 +11,7 @@ from ..bridge.data.file_state import ended_operators, key, look_again, state
 from ..bridge.edit import transforming
 from ..bridge.follow import follow
 from ..bridge.net import dragging, keyed, live
-from ..bridge.net.growing import Moment
+from ..bridge.net.growing import Phase
 from ..bridge.recipes import late, recipes
 from . import deviation_paint, editing, hints, main_thread, messages, saving, texts, timers
 from .ui_state import forget, ui_state
@@ -30,7 +30,7 @@ def updated(scene, depsgraph):
     state.overlaid.clear()
     occasion = dragging.occasion(depsgraph.updates) if ui_state.nets else None
     if state.drag and dragging.goes_on(occasion):
-        timers.later(editing.settle, _SETTLE)
+        timers.later(editing.finalize, _SETTLE)
         return
     _put_back_after_failure()
     is_new = _look_through()
@@ -128,10 +128,10 @@ def undone(*_):
     state.drag = None
     ui_state.handed = state.began = ended_operators()
     ui_state.was_undone = True
-    editing.awaken()
+    editing.reactivate()
     editing.find_nets()
     follow.scan()
-    live.trust()
+    live.accept_undo()
     _keep_frame()
     _pull_all()
     editing.settle_magnet()
@@ -240,18 +240,18 @@ def _follow_nets(changed):
         if ob.mode == 'EDIT':
             ui_state.kept.discard(key(ob))
             if ob.data in changed:
-                changed_now = live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY)
+                changed_now = live.sync_from_cage(ob, Phase.TOLD if is_idle else Phase.BUSY)
                 written.add(changed_now)
                 is_draft = is_draft or changed_now is None and live.is_draft(ob)
                 if live.note(ob):
-                    timers.soon(editing.hand_over)
+                    timers.soon(editing.select_originals)
                 if live.is_waiting(ob):
                     _take_up_after(None if is_idle else ended_operators())
         elif key(ob) not in ui_state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             timers.soon(editing.sweep)
     written.discard(None)
     if written or is_draft:
-        timers.later(editing.settle, _SETTLE)
+        timers.later(editing.finalize, _SETTLE)
     return written
 
 
@@ -269,7 +269,7 @@ def _is_idle():
 def _take_up_after(ended):
     """Let nets take up what waits when other operators have ended than these."""
     ui_state.awaited = ended
-    timers.soon(editing.take_up)
+    timers.soon(editing.adopt_rows)
 
 
 def _put_back_after_failure():
@@ -320,7 +320,7 @@ def _say():
 def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
-            live.pull(ob, Moment.TOLD)
+            live.sync_from_cage(ob, Phase.TOLD)
             if live.note(ob):
                 timers.soon(editing.hand_over_now)
             if live.is_waiting(ob):
@@ -362,6 +362,6 @@ def unregister():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
-    for function in (_first_look, _serve, _say, _finish_late, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
-                     editing.take_up, deviation_paint.settle, deviation_paint.redraw):
+    for function in (_first_look, _serve, _say, _finish_late, editing.sweep, editing.finalize, editing.select_originals, editing.hand_over_now,
+                     editing.adopt_rows, deviation_paint.rest, deviation_paint.redraw):
         timers.call_off(function)

@@ -19,7 +19,7 @@ _owner = object()
 _WORDS_ON_STRIP = {"splinewright.insert_on_strip": "twice: Insert Knot", "splinewright.remove_on_strip": "Remove Knot"}
 
 
-def said(context):
+def shown_keys(context):
     """[(icons of keys, words)] for what is at hand; none while something else is going on."""
     if not preferences.get().show_hints or ui_state.status or _is_busy(context.window):
         return []
@@ -87,7 +87,7 @@ def _draw(self, context):
     problem = stopped.in_status(context.view_layer)
     if problem:
         self.layout.label(text=problem, icon='ERROR')
-    for icons, words in said(context):
+    for icons, words in shown_keys(context):
         row = self.layout.row(align=True)
         for icon in icons[:-1]:
             row.label(text="", icon=icon)

@@ -20,7 +20,7 @@ _BEHIND = (0.0, 0.0, 0.0, 0.7)
 _SIZE, _LINE, _MARGIN = 13, 19, 12
 
 
-def said(layer):
+def sentence(layer):
     """[(sentence, color)] for a view layer."""
     found = []
     for ob in editing.nets() if ui_state.nets else ():
@@ -65,7 +65,7 @@ def undo_key():
 def refresh():
     """Say in the status bar what is in the way; draw() says it in the views."""
     windows = bpy.context.window_manager.windows
-    texts = ["   ".join(text for text, color in said(window.view_layer) if color == WARNING) for window in windows]
+    texts = ["   ".join(text for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
     if any(texts) or ui_state.status:      # what others wrote there meanwhile is gone either way
         for window, text in zip(windows, texts):
             window.workspace.status_text_set(text or None)
@@ -83,7 +83,7 @@ def take_back():
 def draw():
     """Called by Blender for each 3D view."""
     state.seen, ui_state.was_undone = ended_operators(), False
-    lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
+    lines = [(line, color) for sentence, color in sentence(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return
     scale, (left, right) = _scale(), free_space()

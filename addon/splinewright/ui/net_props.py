@@ -34,7 +34,7 @@ def _chosen_now(data):
     ob = net_of(data)
     if ob:
         look_again(data)
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return chosen(data)
 
 

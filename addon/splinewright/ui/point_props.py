@@ -20,9 +20,9 @@ def _changed(self, context):
         return
     try:
         point_keying.put(data, self.row, self.place, self.weight)
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         try:
             point_keys.show(data, store.pool(data))
         except store.UnreadableDefinition:

@@ -35,7 +35,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
             if face_count(data) != before:
                 self.faces_before = before
         except FAILURES as error:
-            problems.tell(data, problems.SETTING, sentence(error))
+            problems.set_problem(data, problems.SETTING, sentence(error))
         live.note_settings(data)
 
     def when_changed(self, context):
@@ -65,7 +65,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
     @value.setter
     def value(self, value):
         shape.set_value(self.id_data, value)
-        problems.tell(self.id_data, problems.SETTING, "; ".join(state.lost_keys))
+        problems.set_problem(self.id_data, problems.SETTING, "; ".join(state.lost_keys))
         state.lost_keys.clear()
 
 

@@ -61,9 +61,9 @@ def _change(data, name, value):
     try:
         if value != recipes.parameters(data)[name]:
             keyed.set_parameters(data, {name: value})
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         recipes.show(data)
 
 
@@ -74,9 +74,9 @@ def _change_frame(self, context):
         return
     try:
         follow.set_frame(data, self.frame, bpy.context.evaluated_depsgraph_get())
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         recipes.show(data)
 
 
@@ -113,9 +113,9 @@ def _change_points(data, points, first, last, length):
         points = points.copy()
         points[last] = points[first] + away * (length / np.linalg.norm(away))
         recipe_edit.set_points(data, points)
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
 
 
 class SplinewrightInput(bpy.types.PropertyGroup):

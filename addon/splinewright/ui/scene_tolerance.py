@@ -24,7 +24,7 @@ def options(parameter):
     return {'options': {'SKIP_SAVE'}} if parameter.of_scene else {}
 
 
-def settle(operator, context, recipe):
+def fill_from_scene(operator, context, recipe):
     """Give an operator the scene's tolerance where it was not given one."""
     for parameter in recipe.parameters:
         if parameter.of_scene and not operator.properties.is_property_set(parameter.name):

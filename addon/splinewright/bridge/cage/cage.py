@@ -9,7 +9,7 @@ import numpy as np
 from ...core.net import strays
 from ...core.net.cage import Cage
 from ...core.net.grown import STRAY, copy_of
-from ...core.net.last_reading import Said
+from ...core.net.last_reading import Snapshot
 from ...core.net.reading import ChangedNet, Present
 from ..data.file_state import ended_operators
 from ..mesh import mesh_edges
@@ -58,8 +58,8 @@ def present(ob, net):
     return Present(_numbers(vertices, net), vertices.positions, lambda: vertices.values('FLOAT', WEIGHT), vertices.links)
 
 
-def said(ob, before=None):
-    """The core.net.last_reading.Said of a net's object in Edit Mode, or None where it is not, or has lost what it takes.
+def snapshot(ob, before=None):
+    """The core.net.last_reading.Snapshot of a net's object in Edit Mode, or None where it is not, or has lost what it takes.
 
     before: the last one. Where a few points have moved since, and none came or went, numbers and weights of those alone
     are read: to read all of them is most of a step of a drag. Where none has moved it is something else that changed.
@@ -79,7 +79,7 @@ def said(ob, before=None):
             kept = before.numbers, before.weights
             if all(edited.verts[i][layer] == known[i] for i in moved.tolist() for layer, known in zip(layers, kept)):
                 return before._replace(positions=positions, slots=moved)
-    return Said(*(list(map(itemgetter(layer), edited.verts)) for layer in layers), positions, occasion)
+    return Snapshot(*(list(map(itemgetter(layer), edited.verts)) for layer in layers), positions, occasion)
 
 
 def _numbers(vertices, net):

@@ -21,7 +21,7 @@ STRAYS = "strays"
 SAVED = "saved"
 
 
-def tell(data, about, sentence):
+def set_problem(data, about, sentence):
     """Keep a sentence; "" takes the one about the same thing away."""
     name = key(data)
     if sentence:

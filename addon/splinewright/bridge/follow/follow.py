@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from ...core.base.failures import Refusal, told
+from ...core.base.failures import Refusal, text_of
 from ...core.base.library import sc
 from ...core.recipes.table import FOLLOW
 from ...core.shape import definition as definitions
@@ -155,7 +155,7 @@ def _make_anew(data, wanted, depsgraph):
     late.is_done(data)
     if is_free:
         placing.start(data, space, owner, inputs)
-    problems.tell(data, problems.FOLLOWING, "")
+    problems.set_problem(data, problems.FOLLOWING, "")
 
 
 def take_along(data, matrix, depsgraph):
@@ -236,7 +236,7 @@ def _index():
     if state.causes is None:
         state.causes = causes.Index(_blocks())
         for data in state.causes.stuck:
-            problems.tell(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
+            problems.set_problem(data, problems.FOLLOWING, "It follows itself, in a circle: it stays as it was last")
         state.causes.stuck = []
     return state.causes
 
@@ -316,7 +316,7 @@ def look_for_inputs():
     """Find out which followers miss an object that they are made from."""
     in_use = _in_use()
     for data in _blocks():
-        problems.tell(data, problems.INPUTS, _missing(data, in_use))
+        problems.set_problem(data, problems.INPUTS, _missing(data, in_use))
 
 
 def stopped():
@@ -399,7 +399,7 @@ def _update(data, turn, is_alone=False, is_own=False):
             return False
         is_new = not is_same and _make(data, stored, space, turn.budget)
         late.is_done(data)
-        problems.tell(data, problems.FOLLOWING, "")
+        problems.set_problem(data, problems.FOLLOWING, "")
         state.made[key(data)] = made_of, store.digest(data)
         return is_new
     except sc.Cancelled:
@@ -409,7 +409,7 @@ def _update(data, turn, is_alone=False, is_own=False):
     except Exception as error:
         late.is_done(data)
         state.made.pop(key(data), None)
-        problems.tell(data, problems.FOLLOWING, _naming_input(data, told(error)))
+        problems.set_problem(data, problems.FOLLOWING, _naming_input(data, text_of(error)))
         return False
 
 

@@ -163,7 +163,7 @@ def carry(data, definition):
         sweep(data)
 
 
-def settle(data):
+def finalize(data):
     """The net of a data-block was put away."""
     if len(of(data)) and not data.library:
         put_stage(data, 0)

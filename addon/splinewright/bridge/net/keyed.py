@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 import bpy
 
-from ...core.base.failures import told
+from ...core.base.failures import text_of
 from ..data import animation, problems, settings, store
 from ..data.file_state import key, state
 from ..follow import follow
@@ -45,7 +45,7 @@ def show(changed, depsgraph):
     """Show what changed data-blocks were given; those that were written. In a render the originals are given nothing."""
     for data in changed:
         if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)) and problems.of(data, problems.KEYED) and not is_shape(data):
-            problems.tell(data, problems.KEYED, "")     # there are no keys any more
+            problems.set_problem(data, problems.KEYED, "")     # there are no keys any more
     return {data for data in changed if is_shape(data) and _show(data, data.evaluated_get(depsgraph), depsgraph)}
 
 
@@ -63,10 +63,10 @@ def _show(data, evaluated, depsgraph):
             problem = "; ".join(filter(None, (problem, lost)))
         elif is_other:
             shape.rewrite(data)
-        problems.tell(data, problems.KEYED, problem)
+        problems.set_problem(data, problems.KEYED, problem)
         return is_other or bool(changes) or definition is not None
     except Exception as error:
-        problems.tell(data, problems.KEYED, told(error))
+        problems.set_problem(data, problems.KEYED, text_of(error))
         return False
 
 

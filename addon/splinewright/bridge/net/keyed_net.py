@@ -9,7 +9,7 @@ from ..cage import net_object
 from ..keys import keyed_seams
 from ..shape import shape
 from . import live, selection
-from .growing import Moment
+from .growing import Phase
 
 
 def set_definition(data, definition):
@@ -30,7 +30,7 @@ def set_definition(data, definition):
         current.wrote(data, faces)
     _give_true_types(net, current, there)
     selection.place(net, current.net, vertices, rows)
-    live.pull(net, Moment.BUSY)
+    live.sync_from_cage(net, Phase.BUSY)
     return lost
 
 

@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 
 from ...core.base.arrays import are_equal
-from ...core.base.failures import FAILURES, Refusal, sentence, told
+from ...core.base.failures import FAILURES, Refusal, sentence, text_of
 from ...core.base.library import sc
 from ...core.net import exact_net, last_reading, reading
 from ...core.shape import definition as definitions
@@ -24,7 +24,7 @@ from ..mesh import stamp, write_mesh
 from ..recipes import recipes
 from ..shape import recipe_edit, shape
 from . import along, curve_extras, growing, holding, keyed_stages, stages
-from .growing import Moment
+from .growing import Phase
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands, and so many times as long as it
@@ -106,7 +106,7 @@ class Session:
         self._last_step = now
         self._next_check = now + min(max(_PAUSE, _SHARE * self._look), max(_LONGEST_PAUSE, rhythm))
 
-    def trust(self):
+    def accept_undo(self):
         """Undo may have put back any earlier state of the shape."""
         self.faces = self._moved = self.pool = self.last = None
         self.placed = holding.Placed()
@@ -227,16 +227,16 @@ def _drop_idle():
         del state.sessions[token]
 
 
-def trust():
+def accept_undo():
     """After undo and redo: take shapes as they are, and look at damaged nets again."""
     for token, current in list(state.sessions.items()):
         if isinstance(current, Session):
-            current.trust()
+            current.accept_undo()
         else:
             del state.sessions[token]
 
 
-def pull(ob, moment=Moment.FREE):
+def sync_from_cage(ob, moment=Phase.FREE):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
     Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
@@ -245,13 +245,13 @@ def pull(ob, moment=Moment.FREE):
     state.drag = None
     net = ob.data
     look_again(net)
-    problems.tell(net, problems.STRAYS, "")
+    problems.set_problem(net, problems.STRAYS, "")
     try:
         data, is_changed, problem = _pulled(ob, moment)
     except Exception as error:
-        problems.tell(net, problems.NET, told(error))
+        problems.set_problem(net, problems.NET, text_of(error))
         return None
-    problems.tell(net, problems.NET, problem)
+    problems.set_problem(net, problems.NET, problem)
     return data if is_changed else None
 
 
@@ -271,7 +271,7 @@ def _pulled(ob, moment):
         else:
             is_changed, problem = _follow(data, ob, current, moment)
     except Exception as error:
-        is_changed, problem = False, told(error)
+        is_changed, problem = False, text_of(error)
     if wanted[_ALONG] != curve_layers.number(data) and wanted[_ALONG] in current.along:
         along.put(data, current.along[wanted[_ALONG]], wanted[_ALONG])
         is_changed = True
@@ -287,7 +287,7 @@ def _show_as_noted(data, current, wanted):
     try:
         current.wrote(data, shape.rewrite(data))
     except Exception as error:
-        problems.tell(data, problems.SETTING, told(error))
+        problems.set_problem(data, problems.SETTING, text_of(error))
         return False
     return True
 
@@ -305,7 +305,7 @@ def note_settings(data):
 
 def begin_along(ob):
     """The along.Gesture of a net in Edit Mode. Raises Refusal."""
-    pull(ob)
+    sync_from_cage(ob)
     if problem(ob):
         raise Refusal(problem(ob))
     return along.Gesture(ob, session(ob.data).net)
@@ -340,7 +340,7 @@ def _follow(data, ob, current, moment):
     current.extra = found.extra
     current.take(found.state, found.slots)
     if current.is_waiting:
-        found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
+        found = found._replace(problem="", note=_WAITS if moment == Phase.BUSY else "")
     if not recipes.has_points(data):
         definition = keyed_stages.with_digits(data, current.net, definition)
         try:
@@ -348,7 +348,7 @@ def _follow(data, ob, current, moment):
         except FAILURES as error:
             refused = refused or sentence(error)
     notes = current.stage.note, found.note, current.released, current.lost
-    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
+    problems.set_problem(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
         return recipe_edit.follow_net(data, definition), found.problem
     were_said = definition.has_curves and curve_extras.has_types(data)
@@ -361,7 +361,7 @@ def _follow(data, ob, current, moment):
 def _read(data, ob, current):
     """(the core.net.reading.Reading of a net, the definition that it says)."""
     net, typed = current.net, net_object.typed(ob.data, current.net)
-    said = None if isinstance(ob.data, bpy.types.Curve) else cage.said(ob, current.last and current.last.said)
+    said = None if isinstance(ob.data, bpy.types.Curve) else cage.snapshot(ob, current.last and current.last.said)
     again = current.last and current.last.again(net, said, typed)
     if again:
         return again
@@ -388,15 +388,15 @@ def _follow_points(data, ob, current):
         if others is None:
             raise
     is_changed = recipe_edit.follow_points(data, others, is_turned)
-    problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
+    problems.set_problem(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
     return is_changed, ""
 
 
-def pass_over(ob):
+def ignore_called_off(ob):
     """What was extruded from a net's ends and called off is passed over once for all."""
     owner = net_object.shape_of(ob)
     if owner is not None and _can_grow(owner.data):
-        growing.settle(ob.data, session(ob.data))
+        growing.ignore_called_off(ob.data, session(ob.data))
 
 
 def _can_grow(data):
@@ -435,12 +435,12 @@ def look_at_all(ob):
     """Read all of a net of which a drag reads what moved: others may have given points other weights meanwhile."""
     current = known_session(ob.data) if ob.mode == 'EDIT' else None
     last = current and current.last
-    said = last and cage.said(ob)
+    said = last and cage.snapshot(ob)
     if said and not last.agrees(said):
-        pull(ob, Moment.BUSY)
+        sync_from_cage(ob, Phase.BUSY)
 
 
-def settle(data, progress=shape.no_progress):
+def finalize(data, progress=shape.no_progress):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for. progress:
     as of shape.rewrite()."""
     if store.is_draft(data):

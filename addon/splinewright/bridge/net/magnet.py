@@ -11,7 +11,7 @@ from ..recipes import recipes
 _WAS = "splinewright_magnet_was"
 
 
-def settle(scene, nets):
+def exclude_nets(scene, nets):
     """Exclude what moves with the nets that are edited in a scene, and nothing else."""
     if scene.library:
         return

@@ -59,7 +59,7 @@ def clear(data, rows=None, frame=None):
         return len({item for item in chosen.tolist() if _clear_frame(data, item, frame)})
     keyed = point_keys.keyed(data)
     point_keys.clear(data, chosen, drivers_too=False)
-    problems.tell(data, problems.KEYED, "")             # it is told again if it still is so
+    problems.set_problem(data, problems.KEYED, "")             # it is told again if it still is so
     return len(keyed.intersection(chosen.tolist()))
 
 

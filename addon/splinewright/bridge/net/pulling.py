@@ -45,7 +45,7 @@ class HeldNet:
         if owner is None:
             raise Refusal("the shape of this net was deleted, or is in no scene")
         recipes.require_free(owner.data)
-        live.pull(ob)
+        live.sync_from_cage(ob)
         if live.problem(ob):
             raise Refusal(live.problem(ob))
         current = live.session(ob.data)
@@ -70,7 +70,7 @@ class HeldNet:
     def write(self, definition):
         """With all digits, and the shape is up to date."""
         self._place(selection.move, self._target(definition))
-        live.pull(self._ob)
+        live.sync_from_cage(self._ob)
         if live.problem(self._ob):
             raise Refusal(live.problem(self._ob))
 

@@ -151,7 +151,7 @@ def restore(data, progress=no_progress, faces=None, has_faces=False):
 def _finish(data, picture, progress):
     store.write_final(data, picture.write() or stamp.of(data))
     progress(2)
-    problems.tell(data, problems.SETTING, "")
+    problems.set_problem(data, problems.SETTING, "")
     state.touched[key(data)] = False
     state.by_hand.discard(key(data))
     state.shown[key(data)] = settings.values(data)

@@ -75,7 +75,7 @@ def sentence(error):
     return getattr(error, 'strerror', None) or str(error)
 
 
-def told(error):
+def text_of(error):
     """Any exception in words, for places that must go on whatever happens. A mistake of ours shows its traceback, too."""
     if isinstance(error, FAILURES):
         return sentence(error)

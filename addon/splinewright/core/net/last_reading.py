@@ -12,7 +12,7 @@ from ..shape.definition import Definition
 from .exact_net import Exact, in_rows
 
 
-class Said(NamedTuple):
+class Snapshot(NamedTuple):
     """What Blender holds of a net: m vertices."""
 
     numbers: list                       # as they are written on the vertices

@@ -17,7 +17,7 @@ class _AddRecipe(AddShape):
     recipe = None
 
     def execute(self, context):
-        scene_tolerance.settle(self, context, self.recipe)
+        scene_tolerance.fill_from_scene(self, context, self.recipe)
         return super().execute(context)
 
     def new_data(self, step):

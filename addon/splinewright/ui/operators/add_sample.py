@@ -43,7 +43,7 @@ class SPLINEWRIGHT_OT_add_sample(bpy.types.Operator):
             if ob.type == 'MESH' and store.has_definition(ob.data):
                 ob.data.splinewright.mode = tessellate.AUTOMATIC
         _look_at_all(context)
-        return reports.finished(self, reports.Said(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
+        return reports.finished(self, reports.Report(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
 
 
 def _appended(path, label):
@@ -82,7 +82,7 @@ class SPLINEWRIGHT_OT_add_asset_library(bpy.types.Operator):
     def execute(self, context):
         bpy.ops.preferences.asset_library_add('EXEC_DEFAULT', directory=str(FOLDER))
         context.preferences.filepaths.asset_libraries[-1].name = "Splinewright"
-        return reports.finished(self, reports.Said("The samples are in the asset browser: library Splinewright"))
+        return reports.finished(self, reports.Report("The samples are in the asset browser: library Splinewright"))
 
 
 def _is_library(context):

@@ -84,7 +84,7 @@ class AddShape(AddObjectHelper):
         return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), new_shapes.start(self), step)
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)

@@ -58,7 +58,7 @@ class _Changes(Sideways):
         if problem:
             return reports.cancelled(self, problem)
         if self.is_nothing():
-            return reports.finished(self, reports.Said("Nothing changed"))
+            return reports.finished(self, reports.Report("Nothing changed"))
         try:
             for gesture in self._gestures:
                 gesture.show(*self.change())
@@ -71,7 +71,7 @@ class _Changes(Sideways):
         for gesture in self._gestures:
             live.end_along(gesture)
         count = sum(gesture.count for gesture in self._gestures)
-        return reports.finished(self, reports.Said(f"{self.text('')} of {count} points" if count > 1 else self.text("")))
+        return reports.finished(self, reports.Report(f"{self.text('')} of {count} points" if count > 1 else self.text("")))
 
     def put_back(self):
         for gesture in self._gestures:

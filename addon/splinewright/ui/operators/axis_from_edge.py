@@ -65,7 +65,7 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
                 bpy.data.objects.remove(axis)
             return reports.failed(self, error, ob.name)
         beside = f" beside {self.parent}" if self.parent else ""
-        return reports.finished(self, reports.Said(f"{ob.name} turns about {axis.name}{beside}"))
+        return reports.finished(self, reports.Report(f"{ob.name} turns about {axis.name}{beside}"))
 
 
 def _put_axis(context, ob, start, end, parent):

@@ -60,7 +60,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
             bend = max(one.bend for one in found)
             more += capping.bend_in_words(bend)
             more += ["normals turned outwards"] if any(one.is_turned for one in found) else []
-        return reports.Said(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
+        return reports.Report(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
 
     def draw(self, context):
         self.layout.use_property_split = True

@@ -119,7 +119,7 @@ class _Between:
             return self.execute(context)
         active_shape.keep(ob.data, outcome[1].parents)
         active_shape.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Said(self.done.format(ob.name) + pieces.told([outcome])))
+        return reports.finished(self, reports.Report(self.done.format(ob.name) + pieces.told([outcome])))
 
     def _suggest(self, ob):
         """Begin with a share of the size; whether that is known."""

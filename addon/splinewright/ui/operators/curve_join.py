@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
             return reports.failed(self, error, ob.name)
         active_shape.keep(ob.data, outcome[1].parents)
         active_shape.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
+        return reports.finished(self, reports.Report(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -80,7 +80,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
         return before, changed
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
+        return reports.Report(self.summary(outcomes) + told(outcomes.values()))
 
 
 class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
@@ -110,7 +110,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         active_shape.keep(ob.data, outcome[1].parents)
-        return reports.finished(self, reports.Said(f"Joined curves into {ob.name}" + told([outcome])))
+        return reports.finished(self, reports.Report(f"Joined curves into {ob.name}" + told([outcome])))
 
     def draw(self, context):
         self.layout.use_property_split = True

@@ -79,7 +79,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         for each in new:
             each.select_set(True)
         context.view_layer.objects.active = new[0]
-        return self.finished(context, reports.Said(parts))
+        return self.finished(context, reports.Report(parts))
 
     def _task(self, ob):
         """A function that gives, for a `cancel` as the library takes it, ((n, 4, 4) of all curves of the shape, in the world;

@@ -96,7 +96,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         redraw()
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             data = self._data(contours.from_text(self.contour).without_repeats())
@@ -104,7 +104,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, context.selected_objects)
-        return reports.finished(self, reports.Said())
+        return reports.finished(self, reports.Report())
 
     def _data(self, drawn):
         """With round corners what keeps their radius; sharp ones can be rounded, cut and trimmed as they are."""

@@ -74,7 +74,7 @@ class _Pen:
         redraw()
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             points = _points_of(self.stroke)
@@ -83,7 +83,7 @@ class _Pen:
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, context.selected_objects)
-        return reports.finished(self, reports.Said(new_shapes.said_of([ob], recipes.error(data))))
+        return reports.finished(self, reports.Report(new_shapes.said_of([ob], recipes.error(data))))
 
     def draw(self, context):
         layout = self.layout

@@ -70,7 +70,7 @@ class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
         messages.refresh()
         is_news = lost and not getattr(self, '_lost', "")
         warnings = (f"The last state of the net was not taken: {lost}",) if is_news else ()
-        return reports.finished(self, reports.Said(warnings=warnings))
+        return reports.finished(self, reports.Report(warnings=warnings))
 
 
 def _names(title, button):
@@ -93,7 +93,7 @@ class SPLINEWRIGHT_OT_renew_net(_OnNets, bpy.types.Operator):
             return reports.failed(self, error)
         warnings = tuple(editing.anew(context, nets))
         messages.refresh()
-        return reports.finished(self, reports.Said(warnings=warnings))
+        return reports.finished(self, reports.Report(warnings=warnings))
 
 
 CLASSES = (SPLINEWRIGHT_OT_edit_net, SPLINEWRIGHT_OT_leave_net, SPLINEWRIGHT_OT_renew_net)

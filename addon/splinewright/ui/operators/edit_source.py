@@ -157,7 +157,7 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
             else:
                 editing.enter(context, ob)
         except FAILURES as error:
-            return reports.finished(self, reports.Said(warnings=(reports.named(ob.name, str(error)),)))
+            return reports.finished(self, reports.Report(warnings=(reports.named(ob.name, str(error)),)))
         return {'FINISHED'}
 
 

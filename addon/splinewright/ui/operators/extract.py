@@ -45,7 +45,7 @@ class _Extract(Repeatable, OnPatches):
 
     def said(self, outcomes):
         left_out = [text for texts in outcomes.values() for text in texts]
-        return reports.Said(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
+        return reports.Report(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
 
 
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):

@@ -42,15 +42,15 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         problem = problems.of(ob.data, problems.SETTING)
         if problem:
             settings.put_back(ob.data, *was)
-            problems.tell(ob.data, problems.SETTING, "")
+            problems.set_problem(ob.data, problems.SETTING, "")
             raise Refusal(problem)
         return tolerance, before, len(ob.data.polygons)
 
     def said(self, outcomes):
         if len(outcomes) > 1:
-            return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
+            return reports.Report(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        return reports.Said(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
+        return reports.Report(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):

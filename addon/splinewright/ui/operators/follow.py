@@ -53,7 +53,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error)
         self.source = source.name       # the redo panel shows it
-        return reports.finished(self, reports.Said(f"{target.name} follows {source.name}"))
+        return reports.finished(self, reports.Report(f"{target.name} follows {source.name}"))
 
     def draw(self, context):
         layout = self.layout

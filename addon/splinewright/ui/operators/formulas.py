@@ -55,7 +55,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             return reports.failed(self, error, ob.name)
         text = _text_for(ob)
         text.from_string(written)
-        return reports.finished(self, reports.Said(f"{text.name} is in the Text Editor"))
+        return reports.finished(self, reports.Report(f"{text.name} is in the Text Editor"))
 
 
 def _text_for(ob):

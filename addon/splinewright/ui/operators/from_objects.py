@@ -86,7 +86,7 @@ class _FromObjects(LongWork, Repeatable):
         active_shape.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
             active_shape.note(self, 'piece', sources[0])
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         self._settle(context, sources)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
@@ -105,13 +105,13 @@ class _FromObjects(LongWork, Repeatable):
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         words = "; ".join(filter(None, (said, result.said)))
-        return self.finished(context, reports.Said(words, warnings=tuple(filter(None, (result.warning,)))))
+        return self.finished(context, reports.Report(words, warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
         """Find out what is not given."""
         if self.recipe.frame and not self.properties.is_property_set('frame'):
             self.frame = _beside(context)
-        scene_tolerance.settle(self, context, self.recipe)
+        scene_tolerance.fill_from_scene(self, context, self.recipe)
         self._follow()
         if self.recipe.first_values and not (self.recipe.frame and self.frame):
             self._suggest(sources, context)

@@ -61,7 +61,7 @@ class CurvesFromPoints(LongWork, Repeatable):
         return {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             new = self.of_objects(context) if context.mode == 'OBJECT' else self._of_vertices(context)
@@ -69,7 +69,7 @@ class CurvesFromPoints(LongWork, Repeatable):
             return reports.failed(self, error)
         for ob in new:
             add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
-        return self.finished(context, reports.Said(self.said(new), warnings=self.warnings(new)))
+        return self.finished(context, reports.Report(self.said(new), warnings=self.warnings(new)))
 
     def lines_of_objects(self, context):
         """[(object or None, points in its space, whether they close)] in Object Mode. Raises Refusal."""

@@ -51,7 +51,7 @@ class OnWhatHolds:
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         warnings = (*warnings, *(editing.anew(context, nets) if nets else ()))
-        return reports.finished(self, reports.Said(f"{ob.name}: {said}", warnings=warnings))
+        return reports.finished(self, reports.Report(f"{ob.name}: {said}", warnings=warnings))
 
     def sides(self):
         return (self.first - 1, self.first_side), (self.second - 1, self.second_side)

@@ -49,7 +49,7 @@ class _OnInputs:
             follow.set_inputs(data, *zip(*inputs), context.evaluated_depsgraph_get())
         except FAILURES as error:
             return reports.failed(self, error, context.object.name)
-        return reports.finished(self, reports.Said())
+        return reports.finished(self, reports.Report())
 
     def require(self, inputs):
         if self.index >= len(inputs):

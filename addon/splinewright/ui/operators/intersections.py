@@ -44,7 +44,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
         return {'found': self._task(context)}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         scene_tolerance.settle_in_object(self, context, None)
         sources = self._sources(context)
         try:
@@ -59,7 +59,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
             context.collection.objects.link(ob)
             ob.select_set(True)
         context.view_layer.objects.active = new[0]
-        return self.finished(context, reports.Said(", ".join(_counted(len(rows), noun) for rows, noun in (
+        return self.finished(context, reports.Report(", ".join(_counted(len(rows), noun) for rows, noun in (
             (found.points, "point"), (found.curves, "curve")) if len(rows))))
 
     def _sources(self, context):

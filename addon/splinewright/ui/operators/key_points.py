@@ -49,12 +49,12 @@ class _OnPoints:
             editing.want_whole_step()
         count = sum(done.values())
         points = "1 point" if count == 1 else f"{count} points"
-        return reports.finished(self, reports.Said(self.done.format(points, f"{frame:g}"), warnings=reasons))
+        return reports.finished(self, reports.Report(self.done.format(points, f"{frame:g}"), warnings=reasons))
 
     def _rows(self, data, net):
         if net is None:
             return None
-        live.pull(net)
+        live.sync_from_cage(net)
         if live.problem(net):
             raise Refusal(live.problem(net))
         session = live.session(net.data)

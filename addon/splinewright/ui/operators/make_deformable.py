@@ -45,7 +45,7 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
         more = [f"within {decimals.text_of(error, 2)} of the exact one"]
         if rational:
             more.append(f"{rational} piece{'s' if rational > 1 else ''} keep{'' if rational > 1 else 's'} weights along the profile")
-        return reports.Said(f"{self.summary(outcomes)}: {', '.join(more)}")
+        return reports.Report(f"{self.summary(outcomes)}: {', '.join(more)}")
 
 def _of_recipe(data):
     """The parameters, by name, that make what a recipe makes deformable; none where it has none."""

@@ -68,7 +68,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             held.show(to)
         except FAILURES as error:
             return reports.failed(self, error, owner.name)
-        return reports.finished(self, reports.Said(f"Knot {self.knot} of {owner.name} at {to:.6g}",
+        return reports.finished(self, reports.Report(f"Knot {self.knot} of {owner.name} at {to:.6g}",
                                                    warnings=(*filter(None, [held.lost]),
                                                              *(editing.anew(context, nets) if nets else ()))))
 

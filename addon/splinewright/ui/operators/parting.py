@@ -75,7 +75,7 @@ class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
         return _separated(ob, [self.numbers(context, ob)])
 
     def said(self, outcomes):
-        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+        return reports.Report(f"{self.summary(outcomes)}: {_counted(outcomes)}")
 
 
 class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
         return _separated(ob, [[number] for number in range(active_shape.count_of(ob.data))])
 
     def said(self, outcomes):
-        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+        return reports.Report(f"{self.summary(outcomes)}: {_counted(outcomes)}")
 
 
 CLASSES = (SPLINEWRIGHT_OT_delete_pieces, SPLINEWRIGHT_OT_separate_pieces, SPLINEWRIGHT_OT_explode)

@@ -75,7 +75,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         active_shape.note_pair(self, ob, found.changed.parents, parted)
-        return reports.finished(self, reports.Said(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
+        return reports.finished(self, reports.Report(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")

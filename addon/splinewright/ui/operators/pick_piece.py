@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
 
     def picked(self, context, ob, number):
         active_shape.take(ob.data, number, self.other)
-        return reports.finished(self, reports.Said(f"Piece {number} of {ob.name} is active"))
+        return reports.finished(self, reports.Report(f"Piece {number} of {ob.name} is active"))
 
 
 class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):

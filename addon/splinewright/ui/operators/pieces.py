@@ -166,7 +166,7 @@ class OnPieces(OnSelected):
         return (*warnings, f"{words} no more") if released > 0 else warnings
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
+        return reports.Report(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
 
     def draw(self, context):
         self.layout.use_property_split = True

@@ -52,7 +52,7 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
                 ob.select_set(True)
             context.view_layer.objects.active = new[0]
         words = [decimals.text_of(number, 4) for number in (distances.max(), distances.mean())]
-        return self.finished(context, reports.Said(
+        return self.finished(context, reports.Report(
             f"{len(distances)} points, largest distance {words[0]}, mean {words[1]}"))
 
     def _chosen(self, context):

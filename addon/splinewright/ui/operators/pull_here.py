@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
+        return reports.finished(self, reports.Report(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
                                                       warnings=tuple(filter(None, [held.lost]))))
 
     def draw(self, context):

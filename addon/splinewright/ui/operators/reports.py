@@ -9,7 +9,7 @@ from ...core.base.failures import FAILURES, blenders_refusals, sentence
 _MOST = 3
 
 
-class Said(NamedTuple):
+class Report(NamedTuple):
     """What is to be told of a work that was done."""
 
     done: str = ""

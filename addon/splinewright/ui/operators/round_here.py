@@ -95,7 +95,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         if not _is_rounded(ob):
             return {'FINISHED'}
         bpy.ops.ed.undo_push(message=self.bl_label)
-        return reports.finished(self, reports.Said(recipes.read(ob.data).said))
+        return reports.finished(self, reports.Report(recipes.read(ob.data).said))
 
     def forget(self):
         ui_state.rounding = None

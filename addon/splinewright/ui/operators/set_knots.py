@@ -116,7 +116,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         active_shape.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
-            live.pull(ob)
+            live.sync_from_cage(ob)
             if live.problem(ob):
                 return reports.cancelled(self, live.problem(ob))
         try:
@@ -130,7 +130,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             self._keep_refused(owner.data, self.knots)
             return reports.failed(self, error)
         self._keep_refused(owner.data, "")
-        return reports.finished(self, reports.Said(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
+        return reports.finished(self, reports.Report(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
 
     def _axis(self):
         return 'UV'.index(self.axis)

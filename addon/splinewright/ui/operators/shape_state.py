@@ -76,7 +76,7 @@ class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
         return transforming.adopt(ob.data, context.evaluated_depsgraph_get())
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes), warnings=tuple(filter(None, outcomes.values())))
+        return reports.Report(self.summary(outcomes), warnings=tuple(filter(None, outcomes.values())))
 
 
 CLASSES = (SPLINEWRIGHT_OT_restore, SPLINEWRIGHT_OT_detach, SPLINEWRIGHT_OT_make_editable,

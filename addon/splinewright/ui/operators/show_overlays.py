@@ -79,7 +79,7 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
         is_shown = all(data.splinewright.show_seams for data in blocks)
         for data in blocks:
             data.splinewright.show_seams = not is_shown
-        return reports.finished(self, reports.Said("" if is_shown else "Seams are colored: the panel Continuity in the sidebar lists them"))
+        return reports.finished(self, reports.Report("" if is_shown else "Seams are colored: the panel Continuity in the sidebar lists them"))
 
 
 CLASSES = (SPLINEWRIGHT_OT_show_sight,)

@@ -43,7 +43,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         return {'circles': self._task(context)}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         sources = list(filter(_is_curve, context.selected_objects))
         try:
             found = self.result_of('circles', self._task(context))
@@ -57,7 +57,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, sources)
         which = f"circle {self.number} of {len(found)}, " if len(found) > 1 else ""
-        return self.finished(context, reports.Said(f"{which}radius {decimals.text_of(circle.radius)}"))
+        return self.finished(context, reports.Report(f"{which}radius {decimals.text_of(circle.radius)}"))
 
     def _task(self, context):
         """A function that gives the touching.Circles in the world, for a `cancel` as the library takes it. Raises Refusal."""

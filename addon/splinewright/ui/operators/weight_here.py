@@ -122,10 +122,10 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
             _put_back(chosen)
             if is_refused_for_good:
                 return reports.cancelled(self, sentence(error))
-            return reports.finished(self, reports.Said("Nothing changed", warnings=(sentence(error),)))
+            return reports.finished(self, reports.Report("Nothing changed", warnings=(sentence(error),)))
         count = sum(len(vertices) for _, vertices, _ in chosen)
         text = f"{self.weight:.4g}" if self.kind == 'SET' else f"× {self.factor:.4g}"
-        return reports.finished(self, reports.Said(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
+        return reports.finished(self, reports.Report(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
 
 
 def moved(base, doublings, step=0.0):
