@@ -11,6 +11,8 @@ NAMES = {
 
 def plural(kind):
     """Of one word in small letters."""
+    if kind == "str":
+        return "strings"
     return kind + ("es" if kind.endswith("ch") else "s") if re.fullmatch("[a-z]+", kind) else kind
 
 
@@ -31,7 +33,9 @@ class Kinds:
         if preset is None:
             return text
         is_none = isinstance(preset, ast.Constant) and preset.value is None
-        return f"{text.removesuffix(' or None')}, optional" if is_none else f"{text}, default {ast.unparse(preset)}"
+        if is_none or (isinstance(preset, ast.Tuple) and "'" in ast.unparse(preset)):
+            return f"{text.removesuffix(' or None')}, optional"
+        return f"{text}, default {ast.unparse(preset)}"
 
     def text(self, node):
         if isinstance(node, ast.Constant):
@@ -51,7 +55,7 @@ class Kinds:
             members.insert(0, node.right)
             node = node.left
         texts = list(dict.fromkeys(self.text(member) for member in (node, *members)))
-        return " or ".join(texts)
+        return " or ".join("a pair of these" if text == f"tuple ({texts[0]}, {texts[0]})" else text for text in texts)
 
     def generic(self, node):
         name = self.text(node.value)

@@ -7436,7 +7436,7 @@ class NurbsPatch:
             Parameters (...,) in u; a periodic direction takes any, modulo its period.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -7495,7 +7495,7 @@ class NurbsPatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -7556,7 +7556,7 @@ class NurbsPatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -7617,7 +7617,7 @@ class NurbsPatch:
             Parameters in v, as `u`.
         order : int
             Highest order of derivatives along u and along v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -7673,7 +7673,7 @@ class NurbsPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -8038,9 +8038,9 @@ class NurbsPatch:
 
         Parameters
         ----------
-        counts : int or tuple (int, int)
+        counts : int or a pair of these
             Numbers of control points in u and v, or one for both.
-        degrees : int or tuple (int, int), optional
+        degrees : int or a pair of these, optional
             Degrees in u and v, or one for both; by default those of the patch.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -8074,7 +8074,7 @@ class NurbsPatch:
         ----------
         tolerance : float
             The largest distance at equal parameters, a length above 0.
-        ends : {'points', 'tangents'} or tuple ({'points', 'tangents'}, {'points', 'tangents'}), default 'points'
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
             Whether borders stay, or the derivatives across them too; a pair for u and v.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -8107,7 +8107,7 @@ class NurbsPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -8136,7 +8136,7 @@ class NurbsPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -8864,7 +8864,7 @@ class BezierPatch:
             Parameters (...,) in u; a periodic direction takes any, modulo its period.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -8923,7 +8923,7 @@ class BezierPatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -8984,7 +8984,7 @@ class BezierPatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -9045,7 +9045,7 @@ class BezierPatch:
             Parameters in v, as `u`.
         order : int
             Highest order of derivatives along u and along v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -9101,7 +9101,7 @@ class BezierPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -9410,9 +9410,9 @@ class BezierPatch:
 
         Parameters
         ----------
-        counts : int or tuple (int, int)
+        counts : int or a pair of these
             Numbers of control points in u and v, or one for both.
-        degrees : int or tuple (int, int), optional
+        degrees : int or a pair of these, optional
             Degrees in u and v, or one for both; by default those of the patch.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -9446,7 +9446,7 @@ class BezierPatch:
         ----------
         tolerance : float
             The largest distance at equal parameters, a length above 0.
-        ends : {'points', 'tangents'} or tuple ({'points', 'tangents'}, {'points', 'tangents'}), default 'points'
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
             Whether borders stay, or the derivatives across them too; a pair for u and v.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -9479,7 +9479,7 @@ class BezierPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -9508,7 +9508,7 @@ class BezierPatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -10006,7 +10006,7 @@ class HermitePatch:
             Parameters (...,) in u; a periodic direction takes any, modulo its period.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -10065,7 +10065,7 @@ class HermitePatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -10126,7 +10126,7 @@ class HermitePatch:
             Parameters (a,) in u.
         v : array_like
             Parameters (b,) in v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -10187,7 +10187,7 @@ class HermitePatch:
             Parameters in v, as `u`.
         order : int
             Highest order of derivatives along u and along v.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -10243,7 +10243,7 @@ class HermitePatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -10552,9 +10552,9 @@ class HermitePatch:
 
         Parameters
         ----------
-        counts : int or tuple (int, int)
+        counts : int or a pair of these
             Numbers of control points in u and v, or one for both.
-        degrees : int or tuple (int, int), optional
+        degrees : int or a pair of these, optional
             Degrees in u and v, or one for both; by default those of the patch.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -10588,7 +10588,7 @@ class HermitePatch:
         ----------
         tolerance : float
             The largest distance at equal parameters, a length above 0.
-        ends : {'points', 'tangents'} or tuple ({'points', 'tangents'}, {'points', 'tangents'}), default 'points'
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
             Whether borders stay, or the derivatives across them too; a pair for u and v.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
@@ -10621,7 +10621,7 @@ class HermitePatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -10650,7 +10650,7 @@ class HermitePatch:
             Parameters (...,) in u.
         v : array_like
             Parameters in v, as `u`.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
 
         Returns
@@ -11102,7 +11102,7 @@ class PatchSet:
             Parameters (a,) in the domain of every patch.
         v : array_like
             Parameters (b,) in the domain of every patch.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -11150,7 +11150,7 @@ class PatchSet:
             Parameters (a,) in the domain of every patch.
         v : array_like
             Parameters (b,) in the domain of every patch.
-        side : {'left', 'right'} or tuple ({'left', 'right'}, {'left', 'right'}), default 'right'
+        side : {'left', 'right'} or a pair of these, default 'right'
             At knots, the value from the right or from the left; a pair for u and v.
         at_infinity : {'raise', 'nan'}, default 'raise'
             Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
@@ -11539,7 +11539,7 @@ class Tessellation:
     ----------
     patch_set : PatchSet
         A set of patches.
-    resolution : int or tuple (int, int)
+    resolution : int or a pair of these
         Faces in every span, for u and v or one for both.
 
     Raises
@@ -11736,7 +11736,7 @@ class Formula:
     ----------
     text : str
         The expression, at most 10,000 characters.
-    variables : sequence of strs, default ('t',)
+    variables : sequence of strings, optional
         Names of the variables.
     constants : Mapping of str, optional
         Names and values of constants.

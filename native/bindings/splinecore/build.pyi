@@ -791,7 +791,7 @@ def patch_from_formulas(
         First and last parameter (2,) in v.
     tolerance : float, default 1e-06
         The largest error allowed, a length in units of the points.
-    variables : sequence of strs, default ('u', 'v')
+    variables : sequence of strings, optional
         Names of both variables in texts.
     constants : Mapping of str, optional
         Names and values of constants.
@@ -1379,9 +1379,9 @@ def blend_patches(
         A patch of any kind.
     side_b : {'u_start', 'u_end', 'v_start', 'v_end'}
         The side of b.
-    continuity : {'G0', 'G1', 'G2', 'G3'} or tuple ({'G0', 'G1', 'G2', 'G3'}, {'G0', 'G1', 'G2', 'G3'}), default 'G2'
+    continuity : {'G0', 'G1', 'G2', 'G3'} or a pair of these, default 'G2'
         'G0' to 'G3', one for both ends or a pair.
-    strengths : float or tuple (float, float), default 1.0
+    strengths : float or a pair of these, default 1.0
         How far the blend follows each patch, one for both or a pair.
     align : bool, default True
         Whether the side of b is reversed to run as that of a, and closed sides begin beside each

@@ -94,15 +94,15 @@ def interpolate_patch(
     ----------
     points : array_like
         Grid (nu, nv, 2 or 3), in any unit of length.
-    degrees : int or tuple (int, int), default 3
+    degrees : int or a pair of these, default 3
         Degrees in u and v.
     parameters : {'uniform', 'centripetal', 'chordal'} or array_like or tuple ({'uniform', 'centripetal', 'chordal'} or array_like or array_like, {'uniform', 'centripetal', 'chordal'} or array_like or array_like), default 'calm'
         As of `interpolate`; 'centripetal' and 'chordal' ones are averaged over the rows.
     knots : tuple (array_like or None, array_like or None), optional
         A pair of all knots, or of None; by default as `ends` says.
-    ends : {'parabola', 'chord', 'natural'} or tuple ({'parabola', 'chord', 'natural'}, {'parabola', 'chord', 'natural'}), default 'averaged'
+    ends : {'parabola', 'chord', 'natural'} or a pair of these, default 'averaged'
         As of `interpolate`.
-    closed : bool or tuple (bool, bool), default False
+    closed : bool or a pair of these, default False
         Whether the patch is periodic.
     cancel : callable, optional
         A function without arguments that is called now and then; a true result ends the call.
@@ -287,7 +287,7 @@ def approximate_patch(
         Grid (nu, nv, 2 or 3), in any unit of length.
     counts : int or tuple (int or None, int or None), optional
         Numbers of control points; with a tolerance the most.
-    degrees : int or tuple (int, int), default 3
+    degrees : int or a pair of these, default 3
         Degrees in u and v.
     parameters : {'uniform', 'centripetal', 'chordal'} or array_like or tuple ({'uniform', 'centripetal', 'chordal'} or array_like or array_like, {'uniform', 'centripetal', 'chordal'} or array_like or array_like), optional
         As of `approximate` and `interpolate_patch`.
@@ -300,9 +300,9 @@ def approximate_patch(
         product.
     fixed_ends : bool, default True
         Whether the corners stay.
-    closed : bool or tuple (bool, bool), default False
+    closed : bool or a pair of these, default False
         Whether the patch is periodic.
-    smoothing : float or tuple (float, float), default 0.0
+    smoothing : float or a pair of these, default 0.0
         Weight of the squared second derivatives beside the sum of squares.
     cancel : callable, optional
         A function without arguments that is called now and then; a true result ends the call.
@@ -346,10 +346,10 @@ def approximate_scattered(
     ----------
     points : array_like
         Points (n, 2 or 3), in any unit of length.
-    counts : int or tuple (int, int), optional
+    counts : int or a pair of these, optional
         Numbers of control points, (u, v) or one for both; with a tolerance the most, 100 where none
         are given.
-    degrees : int or tuple (int, int), default 3
+    degrees : int or a pair of these, default 3
         Degrees in u and v.
     parameters : array_like, optional
         Parameters (n, 2) to begin with; by default those of the nearest plane.
