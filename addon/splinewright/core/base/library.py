@@ -2,6 +2,7 @@
 
 import importlib
 import json
+import re
 import sys
 from importlib.machinery import EXTENSION_SUFFIXES
 from importlib.metadata import distribution
@@ -48,6 +49,11 @@ def _load():
             return None, f"Splinewright's native module for Python {python} {damage}. {cure}"
         library = importlib.import_module(name, __package__)
     except (ImportError, OSError, ValueError) as error:
+        newer = re.search(r"version `(GLIBC|GLIBCXX)_([\d.]+)' not found", str(error))
+        if newer:
+            system = {"GLIBC": "glibc", "GLIBCXX": "a libstdc++ with GLIBCXX"}[newer[1]]
+            return None, (f"Splinewright's native module was built on a newer Linux than this one: it needs {system} {newer[2]} "
+                          "or later. Build the zip on this system, or install that of a release, which needs glibc 2.28")
         return None, f"Splinewright's native module for Python {python} does not load ({error}). {cure}"
     if library.__version__ != __version__:
         return None, f"Splinewright {__version__} found a native module of version {library.__version__}. {cure}"
