@@ -12,19 +12,19 @@ from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-deviations, file_state, handlers, lengths, measures, paint, panel, seen, targets = (part(name) for name in (
+deviations, file_state, handlers, lengths, measures, paint, panel, targets = (part(name) for name in (
     'bridge.analysis.deviations', 'bridge.data.file_state', 'ui.handlers', 'core.base.length_units', 'core.analysis.deviations', 'ui.deviation_paint',
-    'ui.analysis_panel', 'bridge.analysis.overlays', 'bridge.analysis.deviation_targets'))
+    'ui.analysis_panel', 'bridge.analysis.deviation_targets'))
 TURNED = Matrix.Translation((3, -2, 0.5)) @ Euler((0.4, 1.1, -0.3)).to_matrix().to_4x4()
 
 
 @pytest.fixture
 def chosen():
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     found.deviation = True
     yield found
     for name in ('deviation', 'deviation_object', 'deviation_range'):
-        seen.of(bpy.context.scene).property_unset(name)
+        bpy.context.scene.splinewright_sights.property_unset(name)
     file_state.state.targets.clear()
 
 
@@ -343,7 +343,7 @@ def test_the_object_and_the_range_are_kept_with_the_file(chosen, tmp_path):
     path = str(tmp_path / "kept.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
     bpy.ops.wm.open_mainfile(filepath=path)
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     assert found.deviation and found.deviation_object == bpy.data.objects["mesh"] and found.deviation_range == 0.25
     assert measured(bpy.data.objects["shape"], found.deviation_object).largest > 0
 

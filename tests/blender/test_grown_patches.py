@@ -472,7 +472,7 @@ def test_a_net_that_cannot_be_read_waits_for_nothing_and_its_shape_stays():
     assert live.is_waiting(held())
     layers = mesh().verts.layers.int
     layers.remove(layers["splinewright_vertex"])
-    live.sync_from_cage(held(), live.Moment.TOLD)
+    live.sync_from_cage(held(), live.Phase.TOLD)
     assert "lost the numbers" in live.problem(held())
     assert not live.is_waiting(held()) and value() == longer
     require_exact(bpy.data.objects["shape"])

@@ -223,7 +223,7 @@ def context():
     """Of a 3D view, as Blender has one in background, and regions of ours."""
     screen = bpy.context.window_manager.windows[0].screen
     space = next(area for area in screen.areas if area.type == 'VIEW_3D').spaces.active
-    seen.of(bpy.context.scene).strip = True
+    bpy.context.scene.splinewright_sights.strip = True
 
     class Context(SimpleNamespace):
         object = property(lambda self: bpy.context.object)
@@ -233,7 +233,7 @@ def context():
 
     yield Context(space_data=space, region=WINDOW, area=SimpleNamespace(regions=(*AROUND, WINDOW)),
                   preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)))
-    seen.of(bpy.context.scene).property_unset('strip')
+    bpy.context.scene.splinewright_sights.property_unset('strip')
     state.moved_knot = None
 
 

@@ -124,7 +124,7 @@ def _shown(chosen, obs):
 
 def _wait():
     ui_state.is_still = False
-    timers.later(settle, _SETTLE)
+    timers.later(rest, _SETTLE)
 
 
 def _surface(data, deviation):
