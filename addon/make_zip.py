@@ -16,6 +16,8 @@ import make_manual
 
 ADDON = Path(__file__).parent / "splinewright"
 LICENSE = Path(__file__).parent.parent / "LICENSE"
+# Of what is compiled into the library.
+LICENSES = Path(__file__).parent.parent / "native/licenses"
 # The same input gives the same file, byte for byte.
 FIXED_DATE = (2026, 1, 1, 0, 0, 0)
 
@@ -65,6 +67,8 @@ def content(version, modules, bindings, wheels):
     if modules:
         yield from library(modules, bindings)
     yield Path("splinewright/LICENSE"), LICENSE.read_bytes()
+    for path in sorted(LICENSES.iterdir()):
+        yield Path("splinewright/licenses") / path.name, path.read_bytes()
     for name, data in make_icons.content():
         yield Path("splinewright/icons") / name, data
     for path, data in make_manual.content():

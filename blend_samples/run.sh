@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs ZIP into a throw-away Blender profile and makes every sample scene in OUTPUT; or, of some of the scenes that are here,
-# the small files that go into the zip.
-#   run.sh ZIP OUTPUT [small]
+# Installs ZIP into a throw-away Blender profile and makes sample scenes in OUTPUT, all or those that are named; or, of some of the
+# scenes that are here, the small files that go into the zip. With SPLINEWRIGHT_DRAFT pictures are rendered quickly.
+#   run.sh ZIP OUTPUT [NAME... | small]
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 zip=$(realpath "$1")
@@ -17,7 +17,16 @@ if [ "${3:-}" = small ]; then
     grep '^packed' "$profile/log"
   done
 else
-  for script in "$here"/make_*.py; do
+  scripts=("$here"/make_*.py)
+  if [ $# -gt 2 ]; then
+    scripts=("${@:3}")
+    scripts=("${scripts[@]/#/$here/make_}")
+    scripts=("${scripts[@]/%/.py}")
+  fi
+  count=0
+  for script in "${scripts[@]}"; do
+    name=${script##*/make_}
+    echo "[$((++count)) of ${#scripts[@]}] ${name%.py}"
     run_script --python "$script"
     sed -n '/\.blend: made/,$p' "$profile/log" | grep -vE '^$|^Blender quit'
   done

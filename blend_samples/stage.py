@@ -1,6 +1,7 @@
 """What the sample scripts share: an empty scene with light and camera, a ground, saving and rendering."""
 
 import math
+import os
 import shutil
 import sys
 import tempfile
@@ -21,6 +22,8 @@ PALETTE = {
 #: Of the colors that are not as dull as the others.
 ROUGHNESS = {'porcelain': 0.12, 'cobalt': 0.12, 'tea': 0.04, 'jam': 0.1, 'silver': 0.18, 'biscuit': 0.7, 'cloth': 0.8}
 METALS = {'silver'}
+#: Of so many samples of a picture a draft has one.
+DRAFT = 8
 #: Where the paper of a drawing lies.
 PAPER = -0.05
 _rows = []
@@ -276,6 +279,8 @@ def finish(name, samples=40, size=(960, 600)):
     _save(output / f"{name}.blend")
     made = time.perf_counter() - _started
     scene.render.filepath = str(output / f"{name}.png")
+    if os.environ.get('SPLINEWRIGHT_DRAFT'):
+        scene.cycles.samples = max(1, samples // DRAFT)
     bpy.ops.render.render(write_still=True)
     _print_table(name, made, time.perf_counter() - _started - made)
 

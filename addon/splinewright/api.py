@@ -24,17 +24,23 @@ import bpy
 import numpy as np
 
 from . import __version__ as version
-from .core import library
+from .bridge.data import settings as display
+from .bridge.data import problems
+from .bridge.follow import follow, making
+from .bridge.keys import point_keys
+from .bridge.net import keyed
+from .bridge.recipes import recipes
+from .bridge.shape import recipe_edit, shape
+from .core.base import library
+from .core.base.failures import Refusal, WrongKind
+from .core.base.library import sc as splinecore
+from .core.recipes.table import RECIPES
 
 if library.problem:
     raise ImportError(library.problem)
 if 'splinewright' not in bpy.types.Mesh.bl_rna.properties:
     raise ImportError("Enable Splinewright in Blender's preferences before you import its interface for scripts")
 
-from .bridge import follow, keyed, making, point_keys, problems, recipes, remaking, settings as display, shape
-from .core.failures import Refusal, WrongKind
-from .core.library import sc as splinecore
-from .core.recipes.table import RECIPES
 
 __all__ = ('version', 'splinecore', 'Refusal',
            'is_shape', 'value', 'set_value', 'new_shape', 'is_changed_by_hand', 'restore', 'make_editable', 'detach',
@@ -231,7 +237,7 @@ def set_points(object, points):
     _require_recipe(object)
     data = _data(object)
     stored = recipes.read(data)
-    remaking.set_points(data, making.points_for(stored.recipe, points, stored.values))
+    recipe_edit.set_points(data, making.points_for(stored.recipe, points, stored.values))
 
 
 # What follows what --------------------------------------------------------------------------------

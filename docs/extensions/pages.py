@@ -10,20 +10,13 @@ DOCS = PROJECT / "docs"
 sys.path.insert(0, str(PROJECT / "addon"))
 
 import make_manual  # noqa: E402
+import python_pages  # noqa: E402
 
-PYTHON_ROOMS = {
-    "splinecore": "The values: curves, patches, sets, meshes, formulas",
-    "splinecore.basis": "Knot vectors, Bernstein polynomials, matrices",
-    "splinecore.build": "Curves and patches from points, formulas and other shapes",
-    "splinecore.conics": "Circles, ellipses, parabolas, hyperbolas",
-    "splinecore.fit": "Curves and patches through points and near them",
-    "splinecore.bpt": "Bezier patches as text",
-    "splinecore.meshes": "Meshes in files",
-}
 CPP_ROOMS = {
     "base": "Errors, intervals, points, long calls", "basis": "Knot vectors and bases", "curve": "Curves and their verbs",
     "patch": "Patches and their verbs", "convert": "Changes of form", "formula": "Formulas", "measure": "Lengths, areas, curvature",
     "meet": "Where shapes meet", "build": "Shapes from points and formulas", "fit": "Shapes through points", "conic": "Conics",
+    "surface": "Lofts, sweeps, networks, fillings, fillets, subdivision",
     "tessellate": "Meshes", "exchange": "JSON",
 }
 
@@ -54,23 +47,6 @@ def guide():
         index.write(f"\n```{{toctree}}\n:hidden:\n\n{others}\n```\n")
 
 
-def python():
-    """A page for each module."""
-    folder = fresh("python")
-    rows = []
-    for module, title in PYTHON_ROOMS.items():
-        members = "   :imported-members:\n" if module == "splinecore" else ""
-        (folder / f"{module}.rst").write_text(
-            f"{module}\n{'=' * len(module)}\n\n.. automodule:: {module}\n   :members:\n   :undoc-members:\n"
-            f"   :member-order: bysource\n{members}")
-        rows.append(f"| [{module}]({module}.rst) | {title} |")
-    names = "\n".join(PYTHON_ROOMS)
-    (folder / "index.md").write_text(
-        "# The Python module\n\n| module | what is in it |\n| --- | --- |\n" + "\n".join(rows) + "\n\n"
-        + make_manual.section((PROJECT / "README.md").read_text(), "The module in ten lines")
-        + f"\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")
-
-
 def cpp():
     """A page for each room of headers."""
     folder = fresh("cpp")
@@ -90,6 +66,6 @@ def cpp():
 
 def setup(app):
     guide()
-    python()
+    python_pages.write(fresh("python"))
     cpp()
     return {"parallel_read_safe": True}

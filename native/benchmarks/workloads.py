@@ -22,7 +22,7 @@ TOLERANCES = {"W12 loft": 1e-6, "W12 sweep": 1e-4, "W12 pipe": 1e-4, "W12 coons"
 ANGLE = 1e-2
 PIPE_RADIUS = 0.2
 OFFSET = 0.03
-TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/teapot.json"
+TEAPOT = Path(__file__).parents[2] / "addon/splinewright/core/shape/teapot.json"
 
 
 def random(seed, count):

@@ -154,74 +154,23 @@ void bind_functions(py::module_& fit) {
           py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = py::none(),
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::arg("closed") = false,
           py::arg("smoothing") = 0.0, py::arg("corrections") = 0, py::arg("residual") = py::none(),
-          py::arg("cancel") = py::none(),
-          "The polynomial NurbsCurve near points (n, 2 or 3), as an Approximation: its error is the largest distance of\n"
-          "a point from the curve's point at its parameter, and so no less than from the curve. Least sum of squares, in\n"
-          "time linear in n (The NURBS Book, §9.4.1). Lecture row S17.\n\n"
-          "count: of control points, with knots by eq. 9.68, 9.69, or averaged ones (eq. 9.8) where spans have fewer points\n"
-          "than degree + 1. knots: all of them, of a closed curve one period. tolerance: knots are put where points are\n"
-          "farther away, and taken away where they are not missed; count is then the most control points. A curve that\n"
-          "leaves its points in between by more than the size of a place's neighborhood, degree points on each side, is\n"
-          "not taken, or where no other is found by four times as much. parameters: as of interpolate(); None takes\n"
-          "'chordal' ones, and with a tolerance 'calm' ones where curves would swing at those.\n\n"
-          "residual: the curve with the least integral of the squared second derivative whose sum of squares, of distances at\n"
-          "parameters times weights, is no more (Reinsch 1967): for noise of the deviation d about n * d**2, as s of SciPy's\n"
-          "splprep. Without count and knots it may have a control point for each point.\n\n"
-          "weights: (n,) positive, of the squares. fixed_ends: an open curve begins at the first point and ends at the\n"
-          "last, by default but with a residual. Of noisy points say False: else noise of these two bends the ends.\n"
-          "start, end: its derivatives 1, 2, … by the parameter there (k, 2 or 3), or the first (2 or 3,).\n"
-          "smoothing: weight of the integral of the squared second derivative beside the sum of squares (Reinsch 1967).\n"
-          "corrections: so often, while the error falls, parameters move towards the nearest points (Hoschek 1988).\n"
-          "cancel: a callable without arguments that ends the call by returning true.\n\n"
-          "Raises ToleranceNotReached, and InvalidShape where the points do not determine the curve.");
+          py::arg("cancel") = py::none());
   fit.def("project", &project, py::arg("function"), py::arg("knots"), py::arg("degree") = 3, py::kw_only(),
-          py::arg("fixed_ends") = false, py::arg("closed") = false, py::arg("cancel") = py::none(),
-          "The orthogonal projection of a function on the splines with these knots, as an Approximation of a NurbsCurve:\n"
-          "the integral of what is left times a basis function is zero. Lecture row S17.\n\n"
-          "function: takes parameters (m,) and gives points (m, 2 or 3). Integrals are taken by 16 nodes of Gauss and\n"
-          "Legendre, or degree + 8, on 16ths of spans and on ever smaller parts until these tell the function, so that\n"
-          "kinks and jumps count; what is narrower than the distances of 512 nodes in a span may be missed. fixed_ends: the\n"
-          "curve begins and ends where the function does; the knots are clamped then. The error is the largest distance\n"
-          "that is found, from all nodes and 64 even parameters of each span uphill. cancel: a callable that ends the call\n"
-          "by returning true.\n\n"
-          "Raises InvalidShape where a value is not finite, for noise, and for knots that belong to no curve.");
+          py::arg("fixed_ends") = false, py::arg("closed") = false, py::arg("cancel") = py::none());
 }
 
 void bind_curves_nearby(const CurveClasses& cls) {
   cls.def("rebuild", &rebuild, py::arg("count") = py::none(), py::arg("degree") = py::none(), py::kw_only(),
-          py::arg("tolerance") = py::none(), py::arg("ends") = "points", py::arg("cancel") = py::none(),
-          "The polynomial NurbsCurve with even knots over the same domain that is nearest in the integral of the\n"
-          "squared distance at equal parameters, as an Approximation: its error is the largest such distance, at most\n"
-          "1 % above the truth. Periodic if the curve is. Lecture row S17.\n\n"
-          "count: of control points; degree + 1 make one Bezier piece. tolerance: as few as come within it, count at\n"
-          "most. ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
-          "Raises ToleranceNotReached, and InvalidShape for counts below what the degree needs.");
+          py::arg("tolerance") = py::none(), py::arg("ends") = "points", py::arg("cancel") = py::none());
   cls.def("fair", &fair, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
-          py::arg("cancel") = py::none(),
-          "A curve on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
-          "Approximation: its error is the largest distance at equal parameters, at most 1 % above the truth. Least\n"
-          "integral of the squared second derivative of the spline without weights (Reinsch 1967).\n\n"
-          "ends: 'points' of an open curve stay, or 'tangents', too. cancel: ends the call by returning true.\n\n"
-          "Raises InvalidShape unless the tolerance is positive and the degree is 2 at least.");
+          py::arg("cancel") = py::none());
 }
 
 void bind_patches_nearby(const PatchClasses& cls) {
   cls.def("rebuild", &rebuild_patch, py::arg("counts"), py::arg("degrees") = py::none(), py::kw_only(),
-          py::arg("cancel") = py::none(),
-          "The polynomial NurbsPatch with even knots over the same domain that is nearest first along u, then along v,\n"
-          "as an Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth.\n"
-          "Corners stay; periodic directions stay periodic. Lecture rows S17, S20.\n\n"
-          "counts: of control points, (u, v) or one for both. degrees: the same; None keeps them. cancel: ends the\n"
-          "call by returning true. Raises InvalidShape for counts below what the degree needs.");
+          py::arg("cancel") = py::none());
   cls.def("fair", &fair_patch, py::arg("tolerance"), py::kw_only(), py::arg("ends") = "points",
-          py::arg("cancel") = py::none(),
-          "A patch on the same knots, with the same weights, that bends less and stays within the tolerance, as an\n"
-          "Approximation: its error is the largest distance at equal parameters, at most 2 % above the truth. Least\n"
-          "energy of a thin plate as long and wide as the net, the integral of S_uu² + 2 S_uv² + S_vv², of the spline\n"
-          "without weights (Greiner 1994).\n\n"
-          "Borders stay; ends: 'points', or 'tangents': the derivatives across them, too; a pair for u and v. cancel:\n"
-          "ends the call by returning true.\n\n"
-          "Raises InvalidShape unless the tolerance is positive and a degree is 2 at least, and for degrees too high.");
+          py::arg("cancel") = py::none());
 }
 
 }  // namespace

@@ -115,39 +115,11 @@ void bind_approximate_patch(py::module_& module) {
   fit.def("approximate_patch", &approximate_patch, py::arg("points"), py::arg("counts") = py::none(),
           py::arg("degrees") = 3, py::arg("parameters") = py::none(), py::kw_only(), py::arg("tolerance") = py::none(),
           py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("fixed_ends") = true,
-          py::arg("closed") = false, py::arg("smoothing") = 0.0, py::arg("cancel") = py::none(),
-          "The polynomial NurbsPatch near a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the largest\n"
-          "distance of a point from the patch's point at its parameters. Least sum of squares first along u, then along\n"
-          "v, in time linear in the points (The NURBS Book, §9.4.3). Lecture rows S17, S20.\n\n"
-          "Arguments are one value for both directions or a pair, for u and v, of what approximate() and\n"
-          "interpolate_patch() take; fixed_ends is one for both: corners stay then, and borders are nearest to the\n"
-          "outermost points. tolerance: as few control points in each direction as come within it, counts at most; a patch\n"
-          "that leaves its points in between by more than the size of a place's neighborhood is not taken. parameters: None\n"
-          "takes 'chordal' ones, and with a tolerance 'calm' ones where a patch would swing at those.\n"
-          "weights: a pair, (nu,) and (nv,) or None, positive: the square of point (i, j) weighs their product. Weights of\n"
-          "single points tie both directions together: approximate_scattered() takes those, with places for parameters.\n\n"
-          "cancel: a callable without arguments that ends the call by returning true.\n\n"
-          "Raises ToleranceNotReached, and InvalidShape, whose message names the direction, where the points do not\n"
-          "determine the patch.");
+          py::arg("closed") = false, py::arg("smoothing") = 0.0, py::arg("cancel") = py::none());
   fit.def("approximate_scattered", &approximate_scattered, py::arg("points"), py::arg("counts") = py::none(),
           py::arg("degrees") = 3, py::kw_only(), py::arg("parameters") = py::none(), py::arg("tolerance") = py::none(),
           py::arg("knots") = py::none(), py::arg("weights") = py::none(), py::arg("smoothing") = 0.0,
-          py::arg("corrections") = 8, py::arg("cancel") = py::none(),
-          "The polynomial NurbsPatch near scattered points (n, 2 or 3), as an Approximation: its error is the largest\n"
-          "distance of a point from the patch. Least sum of squares at parameters that move to the nearest points of the\n"
-          "patch (Hoschek 1988; Ma and Kruth 1995). Lecture rows S17, S20.\n\n"
-          "parameters: (n, 2) to begin with; None takes the points' places in their nearest plane, in the rectangle of\n"
-          "least area: along its longer side, u, from 0 to 1, along v in proportion. counts: of control points, (u, v) or\n"
-          "one for both, on even knots around the parameters. knots: a pair, all of them. tolerance: few control points\n"
-          "within it, counts at most, or 100. weights: (n,) positive, of the squares. smoothing: weight of the energy of\n"
-          "a thin plate, the integral of S_uu² + 2 S_uv² + S_vv², of points in a box of size 1, beside the mean of the\n"
-          "squares; it decides where there are no points. With a tolerance as much of it as that leaves room for is taken\n"
-          "where the points do not decide alone, of nets with no more control points than points.\n"
-          "corrections: so often at most, while it helps, parameters move.\n\n"
-          "cancel: a callable without arguments that ends the call by returning true.\n\n"
-          "Raises ToleranceNotReached, and InvalidShape where the points lie on a line, leave a control point undecided, or\n"
-          "decide so little about one that it would be a million times as far away as they are, or the patch more than four\n"
-          "times the size of the box around them.");
+          py::arg("corrections") = 8, py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

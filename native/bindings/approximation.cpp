@@ -1,6 +1,7 @@
 #include "approximation.hpp"
 
 #include "classes.hpp"
+#include "pairs.hpp"
 #include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/errors.hpp"
@@ -18,15 +19,12 @@ std::string text_of(const AnyApproximation& self) {
 
 void bind_approximation(py::module_& module) {
   Class<AnyApproximation> cls(
-      module, "Approximation", py::module_local(),
-      "A value that stands for another, and how far the two lie apart at most.\n\n"
-      "Unpacks: value, error = curve.reduce(). The error is a length in the units of the points, 0 where\n"
-      "nothing but rounding was lost.");
+      module, "Approximation", py::module_local());
   seal(cls);
   pickle_members(cls, &AnyApproximation::value, &AnyApproximation::error);
   cls.def_property_readonly("value", [](const AnyApproximation& self) { return self.value; });
   cls.def_property_readonly("error", [](const AnyApproximation& self) { return self.error; });
-  cls.def("__iter__", [](const AnyApproximation& self) { return py::iter(py::make_tuple(self.value, self.error)); });
+  bind_pair(cls);
   cls.def("__repr__", &text_of);
 }
 

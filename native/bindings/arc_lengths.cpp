@@ -51,27 +51,17 @@ void bind_curve(const CurveClasses& cls) {
             return parameter_at_length(form(self), s, tolerance, cancel);
           },
           py::arg("s"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
-          py::arg("cancel") = py::none(),
-          "The parameters to which the curve has the lengths s from the start of its domain: (...,) -> (...,).\n\n"
-          "The length up to a parameter is off by at most the tolerance times that of the curve. One pass for all\n"
-          "lengths, then Newton's iteration, which never leaves its bracket. A periodic curve repeats: there s may be\n"
-          "any numbers. Where the derivative is zero it is the first parameter. InvalidShape names a length below 0\n"
-          "or above that of the curve; and as length(). cancel is a callable that ends a long call by returning True.\n"
-          "Row S15.");
+          py::arg("cancel") = py::none());
   cls.def("divide", [](const AnyCurve& self, const py::object& count, const py::object& tolerance,
                        const py::object& cancel) { return divide(form(self), count, tolerance, cancel); },
           py::arg("count"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
-          py::arg("cancel") = py::none(),
-          "The parameters of parts of equal length: (count + 1,) with both ends; (count,) where the curve closes.\n\n"
-          "As parameter_at_length(). InvalidShape unless 1 <= count <= 2^22, or if the curve has no length. Row S15.");
+          py::arg("cancel") = py::none());
   cls.def("divide_by_length", [](const AnyCurve& self, const py::object& step, const py::object& tolerance,
                                  const py::object& cancel) {
             return divide_by_length(form(self), step, tolerance, cancel);
           },
           py::arg("step"), py::kw_only(), py::arg("tolerance") = splinecore::kPlaceTolerance,
-          py::arg("cancel") = py::none(),
-          "The parameters at 0, step, 2 step, … up to the curve's length: (n,). Where it closes its end is none.\n\n"
-          "As parameter_at_length(). InvalidShape unless step > 0, or if those are more than 2^22. Row S15.");
+          py::arg("cancel") = py::none());
 }
 
 }  // namespace

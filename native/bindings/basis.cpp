@@ -169,11 +169,7 @@ struct BoundSamples {
 
 void bind_basis(py::module_& module) {
   py::module_ basis = module.def_submodule("basis", "Knot vectors, basis functions, samples.");
-  Class<KnotVector> knot_vector(basis, "KnotVector", py::module_local(),
-                         "A degree and its non-decreasing knots.\n\n"
-                         "Plain: n + degree + 1 knots for n control points. Periodic: n + 1 knots, one period.\n"
-                         "Degree 0 is allowed here, though no curve has it. Raises InvalidShape if a knot\n"
-                         "decreases, is not finite or has multiplicity above degree + 1. Lecture rows S14, S15.");
+  Class<KnotVector> knot_vector(basis, "KnotVector", py::module_local());
   seal(knot_vector);
   knot_vector
       .def(py::init([](const py::object& degree, const py::object& knots, const py::object& periodic) {
@@ -182,37 +178,25 @@ void bind_basis(py::module_& module) {
            py::arg("degree"), py::arg("knots"), py::arg("periodic") = false)
       .def_property_readonly("degree", &KnotVector::degree)
       .def_property_readonly("periodic", &KnotVector::periodic)
-      .def_property_readonly("count", &KnotVector::count, "How many control points belong to these knots.")
+      .def_property_readonly("count", &KnotVector::count)
       .def_property_readonly("knots", [](const py::object& self) {
         return view_of_numbers(py::cast<const KnotVector&>(self).knots(), self);
-      }, "The knots as given: a read-only float64 array.")
-      .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); },
-                             "(start, end): the parameters at which the functions add up to 1.")
-      .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right",
-           "Index k with knots[k] <= u < knots[k + 1], in the unrolled knots: (...,) -> (...,) int64.")
-      .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right",
-           "Values of all functions at parameters of the domain: (...,) -> (..., count). They add up to 1.")
-      .def("function", &function_at, py::arg("i"), py::arg("u"),
-           "Values of N_{i,degree} on the whole line: (...,) -> (...,). Half-open spans, closed at the end of\n"
-           "the domain; defined also where the domain is empty (Cox 1972, de Boor 1972; lecture row S14).")
+      })
+      .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); })
+      .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
+      .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
+      .def("function", &function_at, py::arg("i"), py::arg("u"))
       .def("support", [](const KnotVector& self, const py::object& i) {
              return pair_of(splinecore::function_support(self, integer(i, "i")));
-           }, py::arg("i"), "The smallest interval outside which N_{i,degree} is zero.")
-      .def("function_derivatives", &function_derivatives_at, py::arg("i"), py::arg("u"), py::arg("order"),
-           "N_{i,degree} and its derivatives up to order: (...,) -> (..., order + 1), on the whole line.\n\n"
-           "Right-hand at a knot, left-hand at the end of the domain. The NURBS Book, eq. 2.10; row S14.")
-      .def("triangle", &triangle_at, py::arg("u"),
-           "The triangular scheme at u: [(indices, values, rising, falling), …] for degrees 0 … degree.\n\n"
-           "Each row has the functions that are not zero on the span of u. values[j] of a row is rising[j] times\n"
-           "the value of the same function in the row before plus falling[j] times that of the next function;\n"
-           "a factor is 0 where the row before does not list it, and the first row has none. Defined on the whole knots, also\n"
-           "where the domain is empty; of a periodic vector indices are modulo count. Lecture row S14.")
+           }, py::arg("i"))
+      .def("function_derivatives", &function_derivatives_at, py::arg("i"), py::arg("u"), py::arg("order"))
+      .def("triangle", &triangle_at, py::arg("u"))
       .def_property_readonly("spans", [](const py::object& self) {
         return view_of_numbers(py::cast<const KnotVector&>(self).spans(), self);
-      }, "(m,) integers: for each span of positive length its index as span() gives it.")
+      })
       .def("multiplicity", [](const KnotVector& self, const py::object& u) {
              return splinecore::multiplicity(self, real(u, "u"));
-           }, py::arg("u"), "How often u occurs among the knots; 0 if it is none.")
+           }, py::arg("u"))
       .def("__eq__", [](const KnotVector& self, const KnotVector& other) { return self == other; }, py::is_operator())
       .def("__hash__", [](const KnotVector& self) { return hash_of(self); })
       .def(py::pickle([](const KnotVector& self) -> py::object {
@@ -230,9 +214,7 @@ void bind_basis(py::module_& module) {
       });
 
   bind_matrices(basis);
-  Class<BoundSamples> bound_samples(basis, "Samples", py::module_local(),
-                           "Where a batch of parameters falls, and with which weights.\n\n"
-                           "Computed once, applied to any rows of numbers: points, weights, colors.");
+  Class<BoundSamples> bound_samples(basis, "Samples", py::module_local());
   seal(bound_samples);
   bound_samples
       .def(py::pickle([](const BoundSamples& self) -> py::object { return self.state(); },
@@ -257,13 +239,13 @@ void bind_basis(py::module_& module) {
         auto out = new_numbers<std::int64_t>(self.samples.size());
         for (std::size_t i = 0; i < self.samples.size(); ++i) out.mutable_data()[i] = self.samples.first(i) % self.knots.count();
         return out;
-      }, "(m,) int64: the first control point that each sample depends on.")
+      })
       .def("weights", [](const BoundSamples& self, const py::object& order) {
              return sample_weights(self.samples, integer(order, "order"), self.knots.degree() + 1);
-           }, py::arg("order") = 0, "(m, degree + 1): weights of control points first, first + 1, … (modulo their count).")
+           }, py::arg("order") = 0)
       .def("apply", [](const BoundSamples& self, const py::object& values, const py::object& order) {
              return apply_samples(self.samples, self.knots.count(), values, integer(order, "order"));
-           }, py::arg("values"), py::arg("order") = 0, "(count, ...) -> (m, ...): the weighted sums, or those of a derivative.");
+           }, py::arg("values"), py::arg("order") = 0);
 }
 
 }  // namespace bindings

@@ -118,22 +118,12 @@ void bind_polynomials(py::module_& build) {
               const std::vector<glm::dvec3> rows = points_of(points);
               const std::vector<double> at = optional_numbers(parameters, "parameters");
               return unlocked([&] { return splinecore::polynomial_through(rows, at); });
-            }, py::arg("points"), py::arg("parameters") = py::none(),
-            "The NurbsCurve of degree n - 1 that is one polynomial through points (n, 2 or 3) at increasing\n"
-            "parameters (n,), by default equal steps from 0 to 1: Lagrange's. One span, to_bezier() of which is a\n"
-            "BezierCurve, or more where one span's points would be so large that rounding hides the curve.\n"
-            "n from 2 to 256. Between equal steps it oscillates (Runge 1901). Lecture row S3.");
+            }, py::arg("points"), py::arg("parameters") = py::none());
   build.def("osculating_polynomial", [](const py::object& data, const py::object& parameters) {
               const auto places = osculations_of(data, parameters);
               return unlocked([&] { return splinecore::osculating_polynomial(places); });
-            }, py::arg("data"), py::arg("parameters"),
-            "The polynomial NurbsCurve with given derivatives: data[i] is an array (k, 2 or 3) of the point and its\n"
-            "first k - 1 derivatives at parameters[i], each of a k of its own. Its degree is the number of all rows\n"
-            "less one, 255 at most. Divided differences with repeated nodes, of 32 digits. Lecture row S3.");
-  build.def("lagrange_evaluate", &lagrange_evaluate, py::arg("points"), py::arg("u"), py::arg("parameters") = py::none(),
-            "Points of Lagrange's polynomial at parameters u (...,) of its domain -> (..., 3), without a curve.\n\n"
-            "The barycentric form of Berrut and Trefethen (2004), stable for hundreds of points at Chebyshev's\n"
-            "parameters; at a parameter of a point it is that point in every bit. Lecture row S3.");
+            }, py::arg("data"), py::arg("parameters"));
+  build.def("lagrange_evaluate", &lagrange_evaluate, py::arg("points"), py::arg("u"), py::arg("parameters") = py::none());
 }
 
 void bind_cardinal(py::module_& build) {
@@ -142,19 +132,10 @@ void bind_cardinal(py::module_& build) {
               return kochanek_bartels(points, tension, py::float_(0.0), py::float_(0.0), parameterization, closed, ends);
             },
             py::arg("points"), py::arg("parameterization") = "uniform", py::arg("tension") = 0.0,
-            py::arg("closed") = false, py::arg("ends") = "parabola",
-            "The HermiteCurve through points (n, 2 or 3) whose tangents come from the neighbors, times 1 - tension:\n"
-            "a cardinal spline, with tension 0 Catmull's and Rom's (1974). Lecture row S5.\n\n"
-            "parameterization: 'uniform', 'centripetal', 'chordal' or increasing parameters, one for each point and\n"
-            "if closed one more. ends: the tangent at an open end is that of the 'parabola' through three points,\n"
-            "of the 'chord', or 'natural', without second derivative. A closed chain has its first point once more\n"
-            "as the last. Points that coincide are refused where their distance is the step of the parameter.");
+            py::arg("closed") = false, py::arg("ends") = "parabola");
   build.def("kochanek_bartels", &kochanek_bartels, py::arg("points"), py::arg("tension") = 0.0,
             py::arg("continuity") = 0.0, py::arg("bias") = 0.0, py::arg("parameterization") = "uniform",
-            py::arg("closed") = false, py::arg("ends") = "parabola",
-            "catmull_rom() with a tension, a continuity and a bias, each one number or one for each point (n,):\n"
-            "incoming and outgoing tangents of Kochanek and Bartels (1984). With a continuity other than 0 the\n"
-            "chain has corners. On unequal steps the two chords are weighted as catmull_rom() weights them. Row S5.");
+            py::arg("closed") = false, py::arg("ends") = "parabola");
 }
 
 void bind_chains(py::module_& build) {
@@ -162,37 +143,25 @@ void bind_chains(py::module_& build) {
               const std::vector<glm::dvec3> rows = points_of(points);
               const std::vector<double> at = optional_numbers(parameters, "parameters");
               return unlocked([&] { return splinecore::chain_from_polygon(rows, at); });
-            }, py::arg("points"), py::arg("parameters") = py::none(),
-            "The m cubic BezierCurves of the C2 chain of a polygon (m + 3, 2 or 3) on increasing parameters (m + 1,),\n"
-            "by default 0, 1, 2, …: the cubic B-spline with fourfold ends. Lecture row S8.");
+            }, py::arg("points"), py::arg("parameters") = py::none());
   build.def("polygon_of_chain", [](const py::object& chain, const py::object& lengths, const py::object& tolerance) {
               const std::optional<double> allowed = optional_real(tolerance, "tolerance");
               const std::vector<BezierCurve> curves = beziers_of(chain, "chain");
               const std::vector<double> steps = optional_numbers(lengths, "lengths");
               return array_of_vectors(unlocked([&] { return splinecore::polygon_of_chain(curves, steps, allowed); }));
-            }, py::arg("chain"), py::arg("lengths") = py::none(), py::arg("tolerance") = py::none(),
-            "The polygon (m + 3, 3) of m cubic BezierCurves on intervals of these lengths (m,), by default 1.\n\n"
-            "Raises InvalidShape with the number of a joint that is not C2 within the tolerance, by default that of\n"
-            "rounding. Lecture row S8.");
+            }, py::arg("chain"), py::arg("lengths") = py::none(), py::arg("tolerance") = py::none());
   build.def("join_beziers", [](const py::object& curves, const py::object& parameters, const py::object& tolerance) {
               const std::vector<BezierCurve> chain = beziers_of(curves, "curves");
               const std::vector<double> at = optional_numbers(parameters, "parameters");
               const double most = real(tolerance, "tolerance");
               return unlocked([&] { return splinecore::join_beziers(chain, at, most); });
-            }, py::arg("curves"), py::arg("parameters") = py::none(), py::arg("tolerance") = 0.0,
-            "BezierCurves of any degrees one after the other as one NurbsCurve on increasing parameters, one more\n"
-            "than curves, by default 0, 1, 2, …\n\n"
-            "All are raised to the highest degree, and inner parameters are knots of that multiplicity, so that\n"
-            "every segment is kept exactly. An end may lie tolerance from the next start, by default not at all:\n"
-            "InvalidShape has the number of the joint. Lecture row S7.");
+            }, py::arg("curves"), py::arg("parameters") = py::none(), py::arg("tolerance") = 0.0);
   build.def("c2_pair", [](const py::object& q0, const py::object& q1, const py::object& d, const py::object& r2,
                           const py::object& r3, const py::object& a, const py::object& b) {
               return splinecore::c2_pair(place_of(q0, "q0"), place_of(q1, "q1"), place_of(d, "d"), place_of(r2, "r2"),
                                          place_of(r3, "r3"), real(a, "a"), real(b, "b"));
             }, py::arg("q0"), py::arg("q1"), py::arg("d"), py::arg("r2"), py::arg("r3"), py::arg("a") = 1.0,
-            py::arg("b") = 1.0,
-            "(q, r): the two cubic BezierCurves that meet with C2 continuity on intervals of lengths a and b, from\n"
-            "the first two points of q, the last two of r, and the point d where their inner legs meet. Row S7.");
+            py::arg("b") = 1.0);
 }
 
 }  // namespace

@@ -130,45 +130,37 @@ py::tuple state_of(const ImplicitConic& conic) {
 
 void bind_implicit_conic(py::module_& conics) {
   Class<ImplicitConic> cls(
-      conics, "ImplicitConic", py::module_local(),
-      "ImplicitConic(coefficients, origin=(0, 0, 0), x_axis=(1, 0, 0), y_axis=(0, 1, 0))\n\n"
-      "a x² + b xy + c y² + d x + e y + f = 0, coefficients (6,) = a … f, in the coordinates of a plane with\n"
-      "orthonormal axes. Multiplying the coefficients changes nothing else. Lecture row S1.");
+      conics, "ImplicitConic", py::module_local());
   seal(cls);
   cls.def(py::init(&make_conic), py::arg("coefficients"), py::arg("origin") = py::make_tuple(0.0, 0.0, 0.0),
           py::arg("x_axis") = py::make_tuple(1.0, 0.0, 0.0), py::arg("y_axis") = py::make_tuple(0.0, 1.0, 0.0));
   cls.def_property_readonly("coefficients", [](const py::object& self) {
     return view_of_numbers(std::span<const double>(py::cast<const ImplicitConic&>(self).coefficients()), self);
-  }, "(6,) float64, as given, read-only.");
+  });
   cls.def_property_readonly("origin", [](const ImplicitConic& self) { return array_of(self.plane().origin); }, "(3,)");
   cls.def_property_readonly("x_axis", [](const ImplicitConic& self) { return array_of(self.plane().x_axis); }, "(3,)");
   cls.def_property_readonly("y_axis", [](const ImplicitConic& self) { return array_of(self.plane().y_axis); }, "(3,)");
-  cls.def_property_readonly("type", [](const ImplicitConic& self) { return name_of(self.type()); },
-                            "'circle', 'ellipse', 'parabola', 'hyperbola', 'crossing_lines', 'parallel_lines', 'line',\n"
-                            "'point' or 'empty'.");
+  cls.def_property_readonly("type", [](const ImplicitConic& self) { return name_of(self.type()); });
   cls.def_property_readonly("center", [](const ImplicitConic& self) -> py::object {
     const auto point = splinecore::center(self);
     return point ? py::object(array_of(*point)) : py::object(py::none());
-  }, "(3,): the center, a parabola's vertex, a point of a line; None where the conic is empty.");
+  });
   cls.def_property_readonly("half_lengths", [](const ImplicitConic& self) {
     return py::make_tuple(self.shape().first, self.shape().second);
-  }, "(along, across) of the axes; (focal length, 0) of a parabola; (0, half the distance) of parallel lines.");
+  });
   cls.def_property_readonly("axes", [](const ImplicitConic& self) {
     const auto axes = splinecore::axis_directions(self);
     return py::make_tuple(array_of(axes[0]), array_of(axes[1]));
-  }, "Unit vectors: along the major or transverse axis, or to a parabola's focus, or along a line; and across.");
+  });
   cls.def_property_readonly("foci", [](const ImplicitConic& self) {
     py::list points;
     for (const auto& point : splinecore::foci(self)) points.append(array_of(point));
     return points;
-  }, "[(3,), …]: two, one of a circle or a parabola, none where the conic is degenerate.");
-  cls.def_property_readonly("eccentricity", [](const ImplicitConic& self) { return splinecore::eccentricity(self); },
-                            "0 of a circle, 1 of a parabola; None where the conic is degenerate.");
+  });
+  cls.def_property_readonly("eccentricity", [](const ImplicitConic& self) { return splinecore::eccentricity(self); });
   cls.def("arc", [](const ImplicitConic& self, const py::object& start, const py::object& end) {
             return splinecore::arc_between(self, real(start, "start"), real(end, "end"));
-          }, py::arg("start"), py::arg("end"),
-          "The part between two parameters, a NurbsCurve: angles from the axis; of a parabola distances from its\n"
-          "axis; of a hyperbola t of (along cosh t, across sinh t).");
+          }, py::arg("start"), py::arg("end"));
   cls.def("__eq__", [](const ImplicitConic& self, const ImplicitConic& other) { return self == other; }, py::is_operator());
   cls.def("__hash__", [](const ImplicitConic& self) { return py::hash(state_of(self)); });
   cls.def(py::pickle([](const ImplicitConic& self) -> py::object { return state_of(self); },
@@ -183,88 +175,56 @@ void bind_makers(py::module_& conics) {
   const auto up = py::make_tuple(0.0, 0.0, 1.0);
   conics.def("arc_through", [](const py::object& start, const py::object& through, const py::object& end) {
                return splinecore::arc_through(vector_of(start, "start"), vector_of(through, "through"), vector_of(end, "end"));
-             }, py::arg("start"), py::arg("through"), py::arg("end"),
-             "The arc of a circle from a point (3,) through another one to a third one, a NurbsCurve. InvalidShape if two\n"
-             "are one or all are on a line. Lecture row S10.");
+             }, py::arg("start"), py::arg("through"), py::arg("end"));
   conics.def("arc_from_tangent", [](const py::object& start, const py::object& tangent, const py::object& end) {
                return splinecore::arc_from_tangent(vector_of(start, "start"), vector_of(tangent, "tangent"), vector_of(end, "end"));
-             }, py::arg("start"), py::arg("tangent"), py::arg("end"),
-             "The arc of a circle from a point (3,) in a direction (3,) to another point (3,), a NurbsCurve. InvalidShape if\n"
-             "the points are one, or the direction is zero or along the line of both. Lecture row S10.");
+             }, py::arg("start"), py::arg("tangent"), py::arg("end"));
   conics.def("arc_about", [](const py::object& center, const py::object& start, const py::object& end, const py::object& normal) {
                return splinecore::arc_about(vector_of(center, "center"), vector_of(start, "start"), vector_of(end, "end"),
                                             vector_of(normal, "normal"));
-             }, py::arg("center"), py::arg("start"), py::arg("end"), py::arg("normal") = up,
-             "The arc about a center (3,) from a point (3,), counterclockwise seen against the normal (3,), to the direction of\n"
-             "another one (3,), a NurbsCurve; a whole circle where that is the same. InvalidShape if a point is the center, or\n"
-             "the normal is zero or along the radius. Lecture row S10.");
+             }, py::arg("center"), py::arg("start"), py::arg("end"), py::arg("normal") = up);
   conics.def("circle", [](const py::object& center, const py::object& radius, const py::object& normal, const py::object& form) {
                return splinecore::circle(vector_of(center, "center"), real(radius, "radius"), vector_of(normal, "normal"),
                                          form_of(form));
-             }, py::arg("center"), py::arg("radius"), py::arg("normal") = up, py::arg("form") = "square",
-             "The whole circle as a NurbsCurve: four quarters on a 'square', three thirds on a 'triangle', two 'halves'\n"
-             "with directions in the middle, or a 'single' span of degree 5 (Chou 1995). Lecture row S10.");
+             }, py::arg("center"), py::arg("radius"), py::arg("normal") = up, py::arg("form") = "square");
   conics.def("ellipse", [](const py::object& center, const py::object& axis_a, const py::object& axis_b, const py::object& form) {
                return splinecore::ellipse(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                           vector_of(axis_b, "axis_b"), form_of(form));
-             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"), py::arg("form") = "square",
-             "The ellipse center + cos a axis_a + sin a axis_b as a NurbsCurve, in the forms of circle(). Any two\n"
-             "conjugate half axes. Lecture row S10.");
+             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"), py::arg("form") = "square");
   conics.def("hyperbola", [](const py::object& center, const py::object& axis_a, const py::object& axis_b) {
                return splinecore::hyperbola(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                             vector_of(axis_b, "axis_b"));
-             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"),
-             "[NurbsCurve, NurbsCurve]: both branches of center +- cosh t axis_a + sinh t axis_b, each from one asymptote's\n"
-             "direction to the other's with its vertex between. Any two conjugate half axes. Lecture row S10.");
+             }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"));
   conics.def("arc", [](const py::object& center, const py::object& axis_a, const py::object& axis_b, const py::object& start,
                        const py::object& sweep, const py::object& spans) {
                return splinecore::ellipse_arc(vector_of(center, "center"), vector_of(axis_a, "axis_a"),
                                               vector_of(axis_b, "axis_b"), real(start, "start"), real(sweep, "sweep"),
                                               integer(spans, "span_count"));
              }, py::arg("center"), py::arg("axis_a"), py::arg("axis_b"), py::arg("start"), py::arg("sweep"),
-             py::arg("span_count") = 0,
-             "A part of an ellipse, angles in radians, in span_count spans; 0 for as few as keep each within a\n"
-             "quarter turn. A span of half a turn has a direction in its middle, a longer one a negative weight.");
+             py::arg("span_count") = 0);
   conics.def("by_foci", [](const py::object& focus_1, const py::object& focus_2, const py::object& distance,
                            const py::object& normal) {
                return splinecore::conic_by_foci(vector_of(focus_1, "focus_1"), vector_of(focus_2, "focus_2"),
                                                 real(distance, "distance"), vector_of(normal, "normal"));
-             }, py::arg("focus_1"), py::arg("focus_2"), py::arg("distance"), py::arg("normal") = up,
-             "The ImplicitConic with two foci: the ellipse with that sum of distances where it is more than the foci's\n"
-             "own, otherwise the hyperbola with that difference. Lecture row S10.");
+             }, py::arg("focus_1"), py::arg("focus_2"), py::arg("distance"), py::arg("normal") = up);
   conics.def("parabola", [](const py::object& focus, const py::object& directrix_point, const py::object& directrix_direction) {
                return splinecore::parabola(vector_of(focus, "focus"), vector_of(directrix_point, "directrix_point"),
                                            vector_of(directrix_direction, "directrix_direction"));
-             }, py::arg("focus"), py::arg("directrix_point"), py::arg("directrix_direction"),
-             "The ImplicitConic of the points as far from the focus as from a line.\n\n"
-             "InvalidShape if the focus lies on the line. Lecture row S10.");
-  conics.def("through_points", &through_points, py::arg("points"), py::arg("tolerance") = py::none(),
-             "The ImplicitConic through points (5, 2 or 3) of a plane. InvalidShape if two coincide, four lie on a\n"
-             "line or one lies off the plane by more than tolerance (None: 1e-9 of their extent). Lecture row S10.");
+             }, py::arg("focus"), py::arg("directrix_point"), py::arg("directrix_direction"));
+  conics.def("through_points", &through_points, py::arg("points"), py::arg("tolerance") = py::none());
 }
 
 void bind_forms(py::module_& conics) {
   conics.def("conic_arc", [](const py::object& p0, const py::object& p1, const py::object& p2, const py::object& w1) {
                return splinecore::conic_arc(vector_of(p0, "p0"), vector_of(p1, "p1"), vector_of(p2, "p2"), real(w1, "w1"));
-             }, py::arg("p0"), py::arg("p1"), py::arg("p2"), py::arg("w1"),
-             "The BezierCurve of three points with weights 1, w1, 1. With w1 = 0 it is the segment from p0 to p2.\n"
-             "Lecture row S10.");
+             }, py::arg("p0"), py::arg("p1"), py::arg("p2"), py::arg("w1"));
   conics.def("class_of", [](const py::object& curve) { return name_of(splinecore::conic_class(single_arc(curve))); },
-             py::arg("curve"),
-             "What a rational quadratic curve of one span is: 'shorter_ellipse_arc', 'half_ellipse',\n"
-             "'longer_ellipse_arc', 'parabola_arc', 'two_parabola_arcs', 'hyperbola_arc', 'two_hyperbola_arcs',\n"
-             "'three_hyperbola_arcs', 'segment', 'line_through_infinity' or 'point'. Lecture row S10.");
+             py::arg("curve"));
   conics.def("implicit", [](const py::object& curve) { return splinecore::implicit_conic(single_arc(curve)); },
-             py::arg("curve"),
-             "The ImplicitConic on which a rational quadratic curve of one span lies: in the xy plane where every z is\n"
-             "0, otherwise in its own. InvalidShape if its points lie on one line. Lecture row S1.");
+             py::arg("curve"));
   conics.def("from_implicit", [](const py::object& conic) { return splinecore::curves_of(conic_of(conic)); },
-             py::arg("conic"),
-             "[NurbsCurve, …] that cover the real points of a conic, each once. Curves that are not closed begin and\n"
-             "end at infinity: finite_arcs() clips them. Nothing for a point or an empty conic. Lecture row S1.");
-  conics.def("as_hermite", &as_hermite, py::arg("curve"), py::arg("tolerance"),
-             "Approximation(HermiteCurve, error) of a finite curve of degree 2: cubics that leave it nowhere by more\n"
-             "than the error, a length. ToleranceNotReached where only rounding is left. Lecture row S10.");
+             py::arg("conic"));
+  conics.def("as_hermite", &as_hermite, py::arg("curve"), py::arg("tolerance"));
 }
 
 }  // namespace

@@ -19,16 +19,11 @@ void bind_curve(const CurveClasses& cls) {
   cls.def("rounded", [](const AnyCurve& self, const py::object& radius, const py::object& cancel) {
             const double of = real(radius, "radius");
             return unlocked([&] { return splinecore::rounded(form(self), of); }, cancel);
-          }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none(),
-          "The curve with an arc of a circle in place of each of its corners, at the seam of a closed one, too: a NurbsCurve.\n"
-          "Its runs between corners are shortened to where the arcs touch them. Lecture row S18. InvalidShape naming the\n"
-          "corner if no arc of that radius fits between its neighbors, or the curve turns back or is not plane there.");
+          }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none());
   cls.def("chamfered", [](const AnyCurve& self, const py::object& length, const py::object& cancel) {
             const double by = real(length, "length");
             return unlocked([&] { return splinecore::chamfered(form(self), by); }, cancel);
-          }, py::arg("length"), py::kw_only(), py::arg("cancel") = py::none(),
-          "The curve with a line in place of each of its corners, between the places at a length before and behind it: a\n"
-          "NurbsCurve, as rounded().");
+          }, py::arg("length"), py::kw_only(), py::arg("cancel") = py::none());
 }
 
 py::tuple tuple_of(const CornerBetween& made) { return py::make_tuple(made.a, made.bridge, made.b); }
@@ -47,13 +42,7 @@ void bind_corners(py::module_& module) {
               const glm::dvec3 up = vector_of(normal, "normal");
               return tuple_of(unlocked([&] { return splinecore::filleted(first, second, of, about, up); }, cancel));
             }, py::arg("a"), py::arg("b"), py::arg("radius"), py::arg("kept"),
-            py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(), py::arg("cancel") = py::none(),
-            "Two curves of any kinds in one plane with the arc of a radius that touches both: (a, arc, b), NurbsCurves, each\n"
-            "curve shortened to it.\n\n"
-            "Of the arcs that leave the parts about the parameters `kept` (2,), one of each curve, it is the nearest one, or one\n"
-            "that takes a curve whole, which is None then. Open curves that have none are extended straight to it; closed ones are\n"
-            "not cut. Lecture row S18. InvalidShape if there is\n"
-            "none; and as fillets().");
+            py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(), py::arg("cancel") = py::none());
   build.def("chamfered", [](const py::object& a, const py::object& b, const py::object& lengths, const py::object& kept,
                             const py::object& cancel) {
               const NurbsCurve& first = any_curve(a, "a");
@@ -62,10 +51,7 @@ void bind_corners(py::module_& module) {
               const auto about = numbers_in<2>(kept, "kept");
               return tuple_of(unlocked([&] { return splinecore::chamfered(first, second, by, about); }, cancel));
             }, py::arg("a"), py::arg("b"), py::arg("lengths"), py::arg("kept"), py::kw_only(),
-            py::arg("cancel") = py::none(),
-            "Two curves of any kinds with a line between the places at two lengths (2,) from where they meet: (a, line, b), as\n"
-            "filleted(). They meet nearest to `kept`, or where open curves would straight on. InvalidShape if they do not, a\n"
-            "length is below 0, both are 0, or a curve is too short.");
+            py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

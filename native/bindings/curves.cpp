@@ -35,21 +35,21 @@ void bind_points(Class<Curve>& cls) {
   cls.def_property_readonly("points", [count](const py::object& self) {
     const auto& curve = py::cast<const Curve&>(self);
     return view_of_points(curve.points(), count(curve), self);
-  }, "(n, 3) float64, as given, read-only.");
+  });
   cls.def_property_readonly("weights", [count](const py::object& self) {
     const auto& curve = py::cast<const Curve&>(self);
     return view_of_weights(curve.points(), count(curve), self);
-  }, "(n,) float64, read-only. A point of weight 0 is a direction: a point at infinity.");
+  });
   cls.def_property_readonly("homogeneous_points", [count](const Curve& self) {
     return homogeneous_array(self.points(), count(self));
-  }, "(n, 4): wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large for a number.");
+  });
   cls.def("with_points", [](const Curve& self, const py::object& points) {
             const Doubles given = real_array(points, "points");
             std::vector<glm::dvec4> rows = weighted_points(given, py::none(), 1);
             require_net(given, "points", {static_cast<py::ssize_t>(self.points().size())});
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             return self.with_points(std::move(rows));
-          }, py::arg("points"), "The curve with other points (n, 2 or 3) and the same weights and knots.");
+          }, py::arg("points"));
   cls.def("with_weights", [](const Curve& self, const py::object& weights) {
             const std::vector<double> given = numbers(weights, "weights");
             std::vector<glm::dvec4> rows(self.points().begin(), self.points().end());
@@ -59,14 +59,13 @@ void bind_points(Class<Curve>& cls) {
             }
             for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = given[i];
             return self.with_points(std::move(rows));
-          }, py::arg("weights"), "The curve with other weights (n,) and the same points and knots.");
+          }, py::arg("weights"));
 }
 
 /// Curves of several spans.
 template <class Curve>
 void bind_to_power(Class<Curve>& cls) {
-  cls.def("to_power", [](const Curve& self) { return unlocked([&] { return splinecore::to_power(form(self)); }); },
-          "One PowerCurve for each span, in order, in powers of the parameter from the start of its span (row S2).");
+  cls.def("to_power", [](const Curve& self) { return unlocked([&] { return splinecore::to_power(form(self)); }); });
 }
 
 /// Tangents (n, 3), or (n, 2, 3) incoming and outgoing.
@@ -92,12 +91,7 @@ std::string text_of(const NurbsCurve& curve) {
 
 void bind_nurbs(py::module_& module) {
   Class<NurbsCurve> cls(
-      module, "NurbsCurve", py::module_local(),
-      "NurbsCurve(degree, knots, points, weights=None, periodic=False)\n\n"
-      "n control points (n, 2 or 3) with weights (n,) on n + degree + 1 knots; periodic on n + 1, one period.\n"
-      "A parameter lies in the domain; a periodic curve takes any and goes on, turn after turn.\n"
-      "A weight of 0 makes a point a direction, negative weights are allowed. Raises InvalidShape (a\n"
-      "ValueError) or TypeError naming the argument, index and value. Lecture rows S11, S15.");
+      module, "NurbsCurve", py::module_local());
   cls.def(py::init([](const py::object& degree, const py::object& knots, const py::object& points,
                       const py::object& weights, const py::object& periodic) {
             return NurbsCurve::make(integer(degree, "degree"), numbers(knots, "knots"),
@@ -114,8 +108,7 @@ void bind_nurbs(py::module_& module) {
                        KnotVector::make(integer(degree, "degree"), numbers(knots, "knots"), boolean(periodic, "periodic")),
                        rows);
                  },
-                 py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = false,
-                 "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
+                 py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = false);
   bind_points(cls);
   bind_rational_verbs(cls);
   bind_verbs(cls);
@@ -123,33 +116,26 @@ void bind_nurbs(py::module_& module) {
   cls.def_property_readonly("periodic", &NurbsCurve::periodic);
   cls.def_property_readonly("knots", [](const py::object& self) {
     return view_of_numbers(py::cast<const NurbsCurve&>(self).knot_vector().knots(), self);
-  }, "The knots as given: a read-only float64 array.");
-  cls.def_property_readonly("knot_vector", [](const NurbsCurve& self) { return self.knot_vector(); },
-                            "The basis.KnotVector, shared.");
+  });
+  cls.def_property_readonly("knot_vector", [](const NurbsCurve& self) { return self.knot_vector(); });
   cls.def("insert_knot", [](const NurbsCurve& self, const py::object& u, const py::object& times) {
             const double at = parameter(u, self.knot_vector());
             const int count = integer(times, "times");
             return unlocked([&] { return splinecore::insert_knot(self, at, count); });
-          }, py::arg("u"), py::arg("times") = 1,
-          "The same curve with u added to the knots. Untouched points keep every digit (Boehm 1980).");
+          }, py::arg("u"), py::arg("times") = 1);
   cls.def("refine", [](const NurbsCurve& self, const py::object& knots) {
             const std::vector<double> inserted = numbers(knots, "knots");
             return unlocked([&] { return splinecore::refine(self, inserted); });
-          }, py::arg("knots"), "The same curve with all these parameters added to the knots.");
+          }, py::arg("knots"));
   cls.def("split", [](const NurbsCurve& self, const py::object& u) -> py::tuple {
             const double at = real(u, "u");
             if (self.periodic()) return py::make_tuple(unlocked([&] { return splinecore::opened(self, at); }));
             auto [before, after] = unlocked([&] { return splinecore::split(self, at); });
             return py::make_tuple(std::move(before), std::move(after));
-          }, py::arg("u"),
-          "(before, after), each on its part of the domain; of a periodic curve (opened,), one plain curve from u\n"
-          "once around.");
-  cls.def("unrolled", [](const NurbsCurve& self) { return splinecore::unrolled(self); },
-          "The same curve as a plain one: knots and points of a periodic curve repeated.");
-  cls.def("reversed", [](const NurbsCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction, over the same domain; over [-end, -start] where rounding\n"
-          "start + end - u would spoil short spans far from zero.");
-  cls.def("to_nurbs", [](const NurbsCurve& self) { return self; }, "The curve itself.");
+          }, py::arg("u"));
+  cls.def("unrolled", [](const NurbsCurve& self) { return splinecore::unrolled(self); });
+  cls.def("reversed", [](const NurbsCurve& self) { return splinecore::reversed(self); });
+  cls.def("to_nurbs", [](const NurbsCurve& self) { return self; });
   cls.def("bezier_points", [](const NurbsCurve& self) {
             const auto pieces = static_cast<py::ssize_t>(self.knot_vector().spans().size());
             py::array_t<double> points(Shape{pieces, self.degree() + 1, 4});
@@ -165,9 +151,7 @@ void bind_nurbs(py::module_& module) {
               }
             });
             return points;
-          },
-          "(pieces, degree + 1, 4): wx, wy, wz, w of the control points of to_bezier(), in one array.\n"
-          "InvalidShape where one is too large for a number.");
+          });
   bind_to_power(cls);
   cls.def("__repr__", &text_of);
 }
@@ -192,25 +176,14 @@ void bind_degrees(Class<BezierCurve>& cls) {
   cls.def("elevate", [](const BezierCurve& self, const py::object& times) {
             const int count = integer(times, "times");
             return unlocked([&] { return splinecore::elevated(self, count); });
-          }, py::arg("times") = 1,
-          "The same curve with a degree higher by times. The NURBS Book, eq. 5.36; lecture row S6.\n\n"
-          "InvalidShape if times is below 0 or the degree would exceed 255.");
-  cls.def("reduce", &reduced, py::arg("times") = 1, py::arg("tolerance") = py::none(),
-          "Approximation of the curve by one of a degree lower by times, with the same ends.\n\n"
-          "Each step takes the nearest such curve, by the constrained Chebyshev polynomial (Lachance 1988). The\n"
-          "error is exact for one step on a polynomial curve, otherwise an upper bound; a larger one than the\n"
-          "tolerance raises ToleranceNotReached. Weights must have one sign. Lecture row S6.");
-  cls.def("flatten", &flattened, py::arg("tolerance"),
-          "(parameters (m,), points (m, 3)): the polyline from which the curve lies nowhere farther than tolerance.\n\n"
-          "By halving until the hull of each part is that flat, which also holds for rational curves. A curve\n"
-          "through infinity raises PointAtInfinity, a tolerance that 2^18 points do not reach InvalidShape. Row S6.");
+          }, py::arg("times") = 1);
+  cls.def("reduce", &reduced, py::arg("times") = 1, py::arg("tolerance") = py::none());
+  cls.def("flatten", &flattened, py::arg("tolerance"));
 }
 
 void bind_bezier(py::module_& module) {
   Class<BezierCurve> cls(
-      module, "BezierCurve", py::module_local(),
-      "BezierCurve(points, weights=None)\n\n"
-      "degree + 1 control points (n, 2 or 3) with weights (n,), over [0, 1]. Lecture rows S6, S9, S11.");
+      module, "BezierCurve", py::module_local());
   cls.def(py::init([](const py::object& points, const py::object& weights) {
             return BezierCurve::make(weighted_points(real_array(points, "points"), weights, 1));
           }), py::arg("points"), py::arg("weights") = py::none());
@@ -218,7 +191,7 @@ void bind_bezier(py::module_& module) {
     const auto rows = rows_of_four(real_array(points, "points"), "points", 1);
     splinecore::require_points(rows);
     return BezierCurve::from_homogeneous(rows);
-  }, py::arg("points"), "From points (n, 4): wx, wy, wz, w; w = 0 makes a direction.");
+  }, py::arg("points"));
   bind_points(cls);
   bind_rational_verbs(cls);
   bind_value(cls);
@@ -226,18 +199,13 @@ void bind_bezier(py::module_& module) {
             const double at = real(u, "u");
             return unlocked([&] { return splinecore::split(self, at); });
           },
-          py::arg("u"), "(before, after), each over [0, 1] (de Casteljau).");
+          py::arg("u"));
   bind_degrees(cls);
-  cls.def("reversed", [](const BezierCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction.");
-  cls.def("to_nurbs", [](const BezierCurve& self) { return self.nurbs(); }, "The same curve as a NurbsCurve.");
+  cls.def("reversed", [](const BezierCurve& self) { return splinecore::reversed(self); });
+  cls.def("to_nurbs", [](const BezierCurve& self) { return self.nurbs(); });
   cls.def("to_power", [](const BezierCurve& self, const py::object& origin) {
             return splinecore::to_power(self, real(origin, "origin"));
-          }, py::arg("origin") = 0.0,
-          "The same curve in powers of t - origin (row S2).\n\n"
-          "Exact up to the rounding of the coefficients, which cancel: relative to the points that costs 1e-15 at\n"
-          "degree 10 about the middle 0.5, 1e-12 about an end and 1e-2 about 10; at degree 20 1e-14, 1e-8 and all.\n"
-          "InvalidShape if they overflow.");
+          }, py::arg("origin") = 0.0);
   cls.def("__repr__", [](const BezierCurve& self) {
     return "BezierCurve(degree=" + std::to_string(self.degree()) + (self.nurbs().rational() ? ", rational)" : ")");
   });
@@ -245,10 +213,7 @@ void bind_bezier(py::module_& module) {
 
 void bind_hermite(py::module_& module) {
   Class<HermiteCurve> cls(
-      module, "HermiteCurve", py::module_local(),
-      "HermiteCurve(points, tangents, parameters=None)\n\n"
-      "A chain of cubics through points (n, 2 or 3) with derivatives (n, 3), or (n, 2, 3): incoming and\n"
-      "outgoing. Parameters (n,) increase; 0, 1, 2, … if none are given. Lecture row S4.");
+      module, "HermiteCurve", py::module_local());
   cls.def(py::init([](const py::object& points, const py::object& tangents, const py::object& parameters) {
             return HermiteCurve::make(vectors(real_array(points, "points"), "points", 1), tangents_of(tangents),
                                       optional_numbers(parameters, "parameters"));
@@ -257,22 +222,19 @@ void bind_hermite(py::module_& module) {
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto points = py::cast<const HermiteCurve&>(self).points();
     return view_of_vectors(points, {static_cast<py::ssize_t>(points.size())}, self);
-  }, "(n, 3) float64, read-only.");
+  });
   cls.def_property_readonly("tangents", [](const py::object& self) {
     const auto tangents = py::cast<const HermiteCurve&>(self).tangents();
     const auto* rows = reinterpret_cast<const glm::dvec3*>(tangents.data());
     return view_of_vectors({rows, 2 * tangents.size()}, {static_cast<py::ssize_t>(tangents.size()), 2}, self);
-  }, "(n, 2, 3) float64, incoming and outgoing, read-only.");
+  });
   cls.def_property_readonly("parameters", [](const py::object& self) {
     return view_of_numbers(py::cast<const HermiteCurve&>(self).parameters(), self);
-  }, "(n,) float64, read-only.");
+  });
   cls.def("split", [](const HermiteCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
-          py::arg("u"), "(before, after), each on its part of the domain.");
-  cls.def("reversed", [](const HermiteCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction, over the same domain; over [-end, -start] where rounding\n"
-          "start + end - u would spoil short spans far from zero.");
-  cls.def("to_nurbs", [](const HermiteCurve& self) { return self.nurbs(); },
-          "The same curve as a cubic NurbsCurve with triple knots.");
+          py::arg("u"));
+  cls.def("reversed", [](const HermiteCurve& self) { return splinecore::reversed(self); });
+  cls.def("to_nurbs", [](const HermiteCurve& self) { return self.nurbs(); });
   bind_to_power(cls);
   cls.def("__repr__", [](const HermiteCurve& self) {
     return "HermiteCurve(points=" + std::to_string(self.points().size()) + ")";

@@ -55,18 +55,14 @@ void bind_exchange(py::module_& module) {
         const Document document = document_of(value);
         return unlocked([&] { return splinecore::to_json(document); });
       },
-      py::arg("value"),
-      "JSON text of a curve, a patch, a PatchSet or a list of them. loads() reads it back equal in every bit.");
+      py::arg("value"));
   module.def(
       "loads",
       [](const py::object& text) {
         const std::string utf8 = utf8_of(text);
         return object_of(unlocked([&] { return splinecore::from_json(utf8); }));
       },
-      py::arg("text"),
-      "The value that dumps() wrote, or a list of values.\n\n"
-      "Raises InvalidShape, with the place, if the text is damaged, of another format, of a newer\n"
-      "version, or holds an invalid shape.");
+      py::arg("text"));
 }
 
 }  // namespace bindings

@@ -58,30 +58,15 @@ py::array_t<double> rows_of(const Box& box) {
 void bind_curve(const CurveClasses& cls) {
   cls.def("signed_curvature", [](const AnyCurve& self, const py::object& u, const py::object& normal,
                                  const py::object& side) { return signed_curvature(form(self), u, normal, side); },
-          py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right",
-          "(C' x C'') · normal / |C'|³ at parameters (...,) -> (...,): positive where the curve bends to its left.\n\n"
-          "normal (3,) is that of its plane, by default towards +z; InvalidShape if it lies in none. Of a curve that\n"
-          "is not in a plane at right angles to the normal it is the part of the curvature about the normal.\n"
-          "Limits, inf and nan as those of curvature(). Row S15.");
+          py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right");
   cls.def("inflections", [](const AnyCurve& self, const py::object& direction) {
             return inflections(form(self), direction);
-          }, py::arg("direction") = py::none(),
-          "The parameters (n,), in order, where the curve begins to bend to the other side.\n\n"
-          "Seen against a direction (3,), by default the normal of its plane: InvalidShape if it lies in none. All\n"
-          "roots of the numerator of the signed curvature on every span that change its sign; of a straight part\n"
-          "between two bends it is the middle. A corner is none, and no change at infinity. Row S15.");
+          }, py::arg("direction") = py::none());
   cls.def("extrema", [](const AnyCurve& self, const py::object& direction) { return extrema(form(self), direction); },
-          py::arg("direction"),
-          "The parameters (n,), in order, where the curve is at rest along a direction (3,) or turns about.\n\n"
-          "All roots of the derivative along it, both ends of a part at right angles to it, corners where it changes\n"
-          "sign, and the ends of the curve and of its pieces. InvalidShape if the direction is zero; PointAtInfinity\n"
-          "if the curve runs to infinity. Row S15.");
+          py::arg("direction"));
   cls.def("bounding_box", [](const AnyCurve& self) {
             return rows_of(unlocked([&] { return splinecore::bounding_box(form(self)); }));
-          },
-          "The smallest box along the axes that the curve lies in: (2, 3), its lowest and its highest corner.\n\n"
-          "Not that of the control points: right to a few roundings of the largest coordinate, with any weights.\n"
-          "PointAtInfinity if the curve runs to infinity. Row S15.");
+          });
 }
 
 const NurbsPatch& form_of(const AnyPatch& patch) { return patch_form(patch); }
@@ -92,12 +77,7 @@ void bind_box(Owner cls) {
   cls.def("bounding_box", [](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return rows_of(unlocked([&] { return splinecore::bounding_box(form_of(self), most); }, cancel));
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kBoxTolerance, py::arg("cancel") = py::none(),
-          "The smallest box along the axes that it lies in: (2, 3), its lowest and its highest corner.\n\n"
-          "Not that of the control points: too small by at most the tolerance times the largest coordinate, with any\n"
-          "weights. Branch and bound on Bernstein pieces; borders are solved as curves. InvalidShape if the tolerance\n"
-          "is not positive, PointAtInfinity if it runs to infinity, ToleranceNotReached where it takes too many\n"
-          "pieces. Row S20.");
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kBoxTolerance, py::arg("cancel") = py::none());
 }
 
 }  // namespace

@@ -90,43 +90,10 @@ void bind_fit(py::module_& module) {
   py::module_ fit = module.def_submodule("fit", "Curves and patches through points.");
   fit.def("interpolate", &interpolate, py::arg("points"), py::arg("degree") = 3, py::arg("parameters") = "calm",
           py::arg("knots") = py::none(), py::arg("ends") = "averaged", py::arg("start") = py::none(),
-          py::arg("end") = py::none(), py::arg("tangents") = py::none(), py::arg("closed") = false,
-          "The polynomial NurbsCurve through points (n, 2 or 3), in time linear in n, as an Approximation: its error is\n"
-          "the largest distance from a point that rounding left. Lecture row S17.\n\n"
-          "parameters: 'calm', steps with which the curve stays near its points however uneven their distances are: the\n"
-          "roots of the distances up to degree 3 (Lee 1989), fourth roots of degree 4, eighth roots of degree 5, equal ones\n"
-          "above, all in such proportion that they end at the length of the polygon. Unless knots, derivatives or other ends are\n"
-          "given the curve keeps nearer to the chord between two points than the longest chord is long, of which each counts\n"
-          "three quarters as much for every point that it is farther away; one that does not gets even steps and, if open,\n"
-          "even knots, with steps that are shorter towards the ends (Demko 1985);\n"
-          "'uniform', 'centripetal', 'chordal' or increasing ones, for each point and if closed one more.\n"
-          "knots: all of them, where closed one period; else they are chosen by ends: 'averaged', averages of degree\n"
-          "parameters each (The NURBS Book, eq. 9.8); 'not_a_knot', at the points but for those next to the ends;\n"
-          "'natural', at the points, with derivatives (degree + 1)/2 … degree - 1 zero at both ends, of odd degrees.\n"
-          "A closed curve is periodic, with knots at the points, of even degrees half-way between.\n\n"
-          "start, end: derivatives 1, 2, … by the parameter at the ends (k, 2 or 3), or the first alone (2 or 3,). With\n"
-          "(degree - 1)/2 at each end of a curve of odd degree its knots lie at the points. tangents (n, 2 or 3): first\n"
-          "derivatives at points, rows of NaN where there is none. Where derivatives are given a parameter counts once\n"
-          "for each when knots are averaged.\n\n"
-          "Raises InvalidShape with fewer points than the degree needs, where points coincide and their distance is the\n"
-          "step of the parameter, and for knots that have too many points between them (Schoenberg and Whitney 1953).");
+          py::arg("end") = py::none(), py::arg("tangents") = py::none(), py::arg("closed") = false);
   fit.def("interpolate_patch", &interpolate_patch, py::arg("points"), py::arg("degrees") = 3,
           py::arg("parameters") = "calm", py::arg("knots") = py::none(), py::arg("ends") = "averaged",
-          py::arg("closed") = false, py::kw_only(), py::arg("cancel") = py::none(),
-          "The polynomial NurbsPatch through a grid of points (nu, nv, 2 or 3), as an Approximation: its error is the\n"
-          "largest distance from a point that rounding left. In time linear in the points, by one banded system a\n"
-          "direction (The NURBS Book, §9.2.5). Lecture rows S17, S20.\n\n"
-          "Every other argument is one value for both directions or a pair, for u and v, of what interpolate() takes.\n"
-          "parameters: 'calm', by those points of two rows that lie farthest apart, steps of fourth roots up to degree 3,\n"
-          "16th roots of degree 4, 64th roots of degree 5, equal ones above, or others where the patch would leave its points\n"
-          "by more than three sides of the cells, as of interpolate(); 'uniform'; or 'centripetal' or\n"
-          "'chordal', whose shares are averaged over the rows that are not\n"
-          "a single point and end at their mean length (A9.3), or increasing numbers for each row, (nu,) and (nv,), and\n"
-          "where closed one more. knots, ends, closed: as of interpolate(); None chooses knots by ends.\n\n"
-          "cancel: a callable without arguments that ends the call by returning true.\n\n"
-          "Raises InvalidShape with fewer rows than the degree needs, where a coordinate is not finite, where all\n"
-          "points of two neighboring rows coincide and their distance is the step of the parameter, and for knots that\n"
-          "have too many rows between them; the message names the direction or the point by both indices.");
+          py::arg("closed") = false, py::kw_only(), py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

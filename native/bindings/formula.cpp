@@ -146,8 +146,6 @@ py::handle formula_error;
 
 void bind_error(py::module_& module) {
   formula_error = py::exception<FormulaError>(module, "FormulaError", module.attr("InvalidShape")).release();
-  formula_error.attr("__doc__") = "Text that is no formula: the message ends with the place.\n\n"
-                                  "position is the character that it is about, counted from 0.";
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -212,33 +210,17 @@ std::vector<Formula> formulas_of(const py::object& value, const std::vector<std:
 void bind_formula(py::module_& module) {
   bind_error(module);
   Class<Formula> cls(
-      module, "Formula", py::module_local(),
-      "Formula(text, variables=('t',), constants=None)\n\n"
-      "An expression of real variables, read from text; nothing in it is ever run. Numbers, + - * / ^,\n"
-      "parentheses, pi, e and a dict of constants. -t^2 is -(t^2), 2^3^2 is 2^9, a * is never left out.\n"
-      "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log ln log2 log10 sqrt cbrt abs sign\n"
-      "floor; atan2(y, x) min max of two. log is the natural one, as ln. Raises FormulaError (an InvalidShape)\n"
-      "with its position where the text is no formula. At most 10,000 characters. Lecture row S1.");
+      module, "Formula", py::module_local());
   seal(cls);
   cls.def(py::init(&formula_of), py::arg("text"), py::arg("variables") = py::make_tuple("t"),
           py::arg("constants") = py::none());
   cls.def_property_readonly("text", &Formula::text);
-  cls.def_property_readonly("variables", &names_tuple, "The names of the variables, in the order of their values.");
-  cls.def_property_readonly("constants", [](const Formula& self) { return self.constants(); },
-                            "A new dict of the names and numbers that were given.");
-  cls.def("evaluate", &evaluate, py::kw_only(), py::arg("at_undefined") = "raise",
-          "Values at one array for each variable, which broadcast: (...,) each -> (...,).\n\n"
-          "Where an operation has no finite result (1/0, the log of a negative number, overflow) InvalidShape\n"
-          "names the place, or at_undefined='nan' marks it.");
-  cls.def("derivatives", &derivatives, py::arg("t"), py::arg("order"), py::kw_only(), py::arg("at_undefined") = "raise",
-          "The value and its derivatives up to order by the one variable: (...,) -> (..., order + 1).\n\n"
-          "By Taylor arithmetic (Griewank and Walther, Evaluating Derivatives, chapter 13). Where one does not\n"
-          "exist, as for abs(t) at 0, InvalidShape names the place, or at_undefined='nan' marks it.");
-  cls.def("gradient", &gradient, py::kw_only(), py::arg("at_undefined") = "raise",
-          "The first derivative by each variable: (...,) each -> (..., variables). The rest as for derivatives.");
-  cls.def("polynomial", &polynomial,
-          "Coefficients (degree + 1,) of the powers of the one variable, lowest first; None where the formula is\n"
-          "not made of sums, products, quotients by constants and whole powers, or its degree is above 255.");
+  cls.def_property_readonly("variables", &names_tuple);
+  cls.def_property_readonly("constants", [](const Formula& self) { return self.constants(); });
+  cls.def("evaluate", &evaluate, py::kw_only(), py::arg("at_undefined") = "raise");
+  cls.def("derivatives", &derivatives, py::arg("t"), py::arg("order"), py::kw_only(), py::arg("at_undefined") = "raise");
+  cls.def("gradient", &gradient, py::kw_only(), py::arg("at_undefined") = "raise");
+  cls.def("polynomial", &polynomial);
   cls.def("__eq__", [](const Formula& self, const Formula& other) { return self == other; }, py::is_operator());
   cls.def("__hash__", [](const Formula& self) {
     const py::tuple constants(py::cast(self.constants()).attr("items")());

@@ -66,18 +66,7 @@ void bind_curve(const CurveClasses& cls) {
             return frames(form(self), u, kind, start, closed, side, cancel);
           },
           py::arg("u"), py::arg("kind") = "rotation_minimizing", py::kw_only(), py::arg("start") = py::none(),
-          py::arg("closed") = false, py::arg("side") = "right", py::arg("cancel") = py::none(),
-          "Unit tangent, normal and binormal = tangent x normal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
-          "'rotation_minimizing' frames rotate around the tangent as little as possible, from the start of the domain\n"
-          "on, whatever other parameters are asked for, to about 1e-9: double reflection (Wang, Jüttler, Zheng and\n"
-          "Liu 2008) in steps that the curve alone decides. Straight parts keep the frame; at a corner it turns as\n"
-          "little as it can. start (3,) is where the normal points at the start of the domain, as far as it is at\n"
-          "right angles to the curve; without it it is Frenet's there. closed=True takes back what the frame of a\n"
-          "closed curve has turned by at the end, evenly by length.\n"
-          "'frenet' frames are those of frenet_frame(): InvalidShape where the curve is straight or has a zero derivative,\n"
-          "which has none. Also InvalidShape if the curve is a point, or is to be closed and does not close\n"
-          "smoothly; PointAtInfinity; ToleranceNotReached where a span turns so wildly that 2^17 halves of steps\n"
-          "are not enough. Row S15.");
+          py::arg("closed") = false, py::arg("side") = "right", py::arg("cancel") = py::none());
 }
 
 }  // namespace

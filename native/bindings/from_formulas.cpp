@@ -41,19 +41,10 @@ AnyApproximation patch_from_formulas(const py::object& formulas, const py::objec
 void bind_from_formulas(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("curve_from_formulas", &curve_from_formulas, py::arg("formulas"), py::arg("domain"), py::kw_only(),
-             py::arg("tolerance") = 1e-6, py::arg("variable") = "t", py::arg("constants") = py::none(),
-             "The NurbsCurve x(t), y(t) and perhaps z(t) over domain (start, end), with its error.\n\n"
-             "Each formula is a str, read with the variable and the constants, or a Formula of one variable. The\n"
-             "parameter of the curve is t. Polynomials give one exact Bezier span, error 0; anything else C2 quintic\n"
-             "pieces, cut till they lie within the tolerance, a length. InvalidShape names a parameter without a\n"
-             "value; ToleranceNotReached is raised at a jump or a pole. Lecture row S1.");
+             py::arg("tolerance") = 1e-6, py::arg("variable") = "t", py::arg("constants") = py::none());
   build.def("patch_from_formulas", &patch_from_formulas, py::arg("formulas"), py::arg("domain_u"),
              py::arg("domain_v"), py::kw_only(), py::arg("tolerance") = 1e-6,
-             py::arg("variables") = py::make_tuple("u", "v"), py::arg("constants") = py::none(),
-             "The NurbsPatch x(u, v), y(u, v), z(u, v) over domains (start, end), with its error.\n\n"
-             "Formulas as for curves, of two variables. Polynomials give one exact Bezier patch, error 0; anything\n"
-             "else a C2 biquintic patch on a grid with as many lines as the tolerance asks for. Creases that follow\n"
-             "no line of the grid raise ToleranceNotReached. Lecture row S1.");
+             py::arg("variables") = py::make_tuple("u", "v"), py::arg("constants") = py::none());
 }
 
 }  // namespace bindings

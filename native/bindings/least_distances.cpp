@@ -50,20 +50,8 @@ bool is_patch(const py::object& value) {
          py::isinstance<splinecore::HermitePatch>(value);
 }
 
-constexpr const char* kText =
-    "Where this shape and another, a curve or a patch of any kind, are nearest to each other, as a LeastDistance: nowhere\n"
-    "are they nearer by more than the tolerance, a length, by default 2^-33 of how far control points of both reach from\n"
-    "the middle of them all.\n\n"
-    "Places are feet of each other, ends and borders included; pairs of Bernstein pieces on two trees of boxes are then\n"
-    "halved until hulls show that nothing is nearer (Johnson and Cohen 1998). Of places at one distance it is any. Lecture\n"
-    "row S18. cancel is a callable that ends a long call by returning True. InvalidShape if the tolerance is below 0, or\n"
-    "after 2^22 pairs of parts, as where shapes that are bent are at one distance all along: say a larger tolerance.";
-
 void bind_result(py::module_& module) {
-  Class<LeastDistance> cls(module, "LeastDistance", py::module_local(),
-                           "Where two shapes are nearest to each other.\n\n"
-                           "distance is a length; parameters is a pair: of a curve its parameter, of a patch (u, v); points is\n"
-                           "(2, 3), one of each shape.");
+  Class<LeastDistance> cls(module, "LeastDistance", py::module_local());
   seal(cls);
   pickle_members(cls, &LeastDistance::distance, &LeastDistance::parameters, &LeastDistance::points);
   cls.def_readonly("distance", &LeastDistance::distance);
@@ -82,12 +70,12 @@ void bind_least_distances(py::module_& module) {
       "least_distance", [](const AnyCurve& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
         if (is_patch(other)) return between(form(self), any_patch(other, "other"), tolerance, cancel);
         return between(form(self), any_curve(other, "other"), tolerance, cancel);
-      }, py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(), kText);
+      }, py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
   PatchClasses(module).def(
       "least_distance", [](const AnyPatch& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
         if (is_patch(other)) return between(patch_form(self), any_patch(other, "other"), tolerance, cancel);
         return turned(between(any_curve(other, "other"), patch_form(self), tolerance, cancel));
-      }, py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(), kText);
+      }, py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

@@ -9,6 +9,7 @@
 #include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "neighbors.hpp"
+#include "pairs.hpp"
 #include "point_arguments.hpp"
 #include "result_pickles.hpp"
 #include "rooms.hpp"
@@ -92,9 +93,7 @@ void bind_corner_counts(py::module_& build) {
               LoftOptions options;
               options.is_aligned = boolean(align, "align");
               return unlocked([&] { return splinecore::corner_counts(through, options); });
-            }, py::arg("sections"), py::kw_only(), py::arg("align") = true,
-            "How many corners each section has as loft() matches them: all breaks of the tangent if all sections have as many of\n"
-            "these, else those of more than 0.02 radians; none of a point. Where the numbers differ, none is matched.");
+            }, py::arg("sections"), py::kw_only(), py::arg("align") = true);
 }
 
 void bind_loft(py::module_& build) {
@@ -132,23 +131,7 @@ void bind_loft(py::module_& build) {
             py::arg("knot_distance") = 0.0, py::arg("parameters") = py::none(), py::arg("knots") = py::none(),
             py::arg("start_tangent") = py::none(), py::arg("end_tangent") = py::none(), py::arg("start_flat") = py::none(),
             py::arg("end_flat") = py::none(), py::arg("start_neighbor") = py::none(),
-            py::arg("end_neighbor") = py::none(), py::arg("calm") = true, py::arg("cancel") = py::none(),
-            "The surface through sections, curves of any kinds or as first and last one points (3,), in which it closes:\n"
-            "a LoftSurface, (value, error), a NurbsPatch with u along the sections and v from one to the next, and how far\n"
-            "sections were moved. Skinning (The NURBS Book, 10.3; lecture row S20).\n\n"
-            "style: 'normal' by distances, 'tight' by their roots, 'uniform', 'loose' where sections are rows of control\n"
-            "points, 'straight' by segments. degree is that along v. align: directions and seams of sections are those of\n"
-            "the section before, closed ones begin where knots are shared; closed sections make the surface periodic. turned (n,): sections that run the other way than\n"
-            "that. corners: 'free', or 'matched', where all sections have as many, see corner_counts(): all have the same\n"
-            "parameters, the surface has an edge for each, and aligned closed sections begin at one. weights, which each curve may have multiplied by any factor: 'scaled', divided by their mean, or 'kept'. With\n"
-            "a tolerance, a length, sections may be moved so far for few knots; knots nearer than knot_distance, a part of the domain, are taken for one. parameters and knots\n"
-            "are those along v.\n\n"
-            "At each end one of: tangent (3,), of length 1 as fast as elsewhere; flat, the normal (3,) of the tangent plane\n"
-            "in a point, or (normal, speed) by that elsewhere; neighbor (patch, side, 'G0' to 'G3'[, strength]), whose side becomes one more section.\n"
-            "calm: where with curvatures of neighbors it would shoot out, or weights would not stay positive, it follows them\n"
-            "with half of their strengths, a quarter, to a 256th, as `followed` of the result says; else it is refused.\n"
-            "InvalidShape if there are fewer than two sections, three where closed, an inner one is a point, or weights would\n"
-            "not stay positive between sections; ToleranceNotReached.");
+            py::arg("end_neighbor") = py::none(), py::arg("calm") = true, py::arg("cancel") = py::none());
 }
 
 void bind_patch_blend(py::module_& build) {
@@ -163,30 +146,17 @@ void bind_patch_blend(py::module_& build) {
               const bool is_calm = boolean(calm, "calm");
               return unlocked([&] { return splinecore::blend(from, to, is_aligned, is_calm); });
             }, py::arg("a"), py::arg("side_a"), py::arg("b"), py::arg("side_b"), py::arg("continuity") = "G2",
-            py::arg("strengths") = 1.0, py::kw_only(), py::arg("align") = true, py::arg("calm") = true,
-            "The NurbsPatch from a side of one patch to a side of another one that goes on from both: with their points, tangent\n"
-            "planes, curvatures and how these change for 'G0' to 'G3', one word for both or a pair. u runs along the sides, v\n"
-            "from a to b in one span. strengths say how far it follows each. align: b's side is turned to run as a's does, and closed\n"
-            "ones are joined where they lie beside each other. Both keep their beginnings, so that edges stay edges: where these do\n"
-            "not lie beside each other, lines across lead from one to the other, over several spans.\n"
-            "calm: with less of these strengths where it would shoot out, as loft() has it; else it is refused.\n"
-            "Lecture row S21.\n\n"
-            "InvalidShape if a side is the seam of a periodic direction or lies at infinity, a patch stands still across its\n"
-            "side, both sides are one, or weights would not stay positive; ToleranceNotReached where rounding leaves it off the\n"
-            "tangent planes by more than 1e-4 radians, or off the curvatures by more than a thousandth of the largest.");
+            py::arg("strengths") = 1.0, py::kw_only(), py::arg("align") = true, py::arg("calm") = true);
 }
 
 void bind_loft_surface(py::module_& module) {
-  Class<LoftSurface> cls(module, "LoftSurface", py::module_local(),
-                         "The surface through sections: value, a NurbsPatch, and error, how far it is from them.\n\n"
-                         "Unpacks: value, error = build.loft(...). followed is the part of their strengths with which it follows its\n"
-                         "neighbors: less than 1 where it would have shot out.");
+  Class<LoftSurface> cls(module, "LoftSurface", py::module_local());
   seal(cls);
   pickle_members(cls, &LoftSurface::value, &LoftSurface::error, &LoftSurface::followed);
   cls.def_readonly("value", &LoftSurface::value);
   cls.def_readonly("error", &LoftSurface::error);
   cls.def_readonly("followed", &LoftSurface::followed);
-  cls.def("__iter__", [](const LoftSurface& self) { return py::iter(py::make_tuple(self.value, self.error)); });
+  bind_pair(cls);
   cls.def("__repr__", [](const LoftSurface& self) {
     return "LoftSurface(error=" + splinecore::text_of(self.error) + ", followed=" + splinecore::text_of(self.followed) + ")";
   });

@@ -96,31 +96,16 @@ void bind_curve(const CurveClasses& cls) {
   cls.def("length", [](const AnyCurve& self, const py::object& start, const py::object& end, const py::object& tolerance,
                        const py::object& cancel) { return length(form(self), start, end, tolerance, cancel); },
           py::arg("start") = py::none(), py::arg("end") = py::none(), py::kw_only(),
-          py::arg("tolerance") = splinecore::kLengthTolerance, py::arg("cancel") = py::none(),
-          "The length between two parameters, by default of all: a float, off by at most the tolerance times itself,\n"
-          "or by rounding of the coordinates where that is more.\n\n"
-          "Adaptive quadrature of Gauss and Kronrod on every span, also through cusps and beside wild weights. Of a\n"
-          "periodic curve start and end may be any numbers: it goes on, and turns are counted. InvalidShape unless\n"
-          "start <= end in the domain of another, PointAtInfinity if the curve runs to infinity, ToleranceNotReached\n"
-          "where that takes too much work: it tells an error that is above the tolerance. cancel: a callable that ends\n"
-          "the call by returning true. Row S15.");
+          py::arg("tolerance") = splinecore::kLengthTolerance, py::arg("cancel") = py::none());
   cls.def("curvature", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::curvature);
-          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
-          "|C' x C''| / |C'|³ at parameters (...,) -> (...,).\n\n"
-          "Where C' falls to zero it is the limit, inf at a sharp cusp; nan where the curve stands still.\n"
-          "InvalidShape if it is too large for a number. Rows S15, S16.");
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right");
   cls.def("torsion", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return along(form(self), u, side, &splinecore::torsion);
-          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
-          "det(C', C'', C''') / |C' x C''|² at parameters (...,) -> (...,), positive for a right-handed screw.\n\n"
-          "At an inflection or a cusp it is the limit; nan on a straight line, which has no osculating plane.\n"
-          "Row S15.");
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right");
   cls.def("frenet_frame", [](const AnyCurve& self, const py::object& u, const py::object& side) {
             return frames(form(self), u, side);
-          }, py::arg("u"), py::kw_only(), py::arg("side") = "right",
-          "Unit tangent, normal and binormal at parameters: (...,) -> (..., 3, 3), one a row.\n\n"
-          "Limits where a derivative falls to zero. Normal and binormal are nan where the curve is straight. Row S15.");
+          }, py::arg("u"), py::kw_only(), py::arg("side") = "right");
 }
 
 /// u and v broadcast against each other, in the domain of a patch.
@@ -187,47 +172,28 @@ Curvatures curvatures(const NurbsPatch& patch, const py::object& u, const py::ob
   return out;
 }
 
-constexpr const char* kAreaText =
-    "The area, a float: off by at most the tolerance times itself, or by rounding of the coordinates where that is\n"
-    "more. Adaptive quadrature of Gauss and Kronrod on every pair of spans.\n\n"
-    "PointAtInfinity if a patch runs to infinity; InvalidShape where weights differ too much in size;\n"
-    "ToleranceNotReached where it takes too much work, as with many digits of a patch that folds back on itself: it\n"
-    "tells an error that is above the tolerance. cancel: a callable that ends the call by returning true. Rows S19, S20.";
-
 void bind_patch(const PatchClasses& cls) {
   cls.def("fundamental_forms", [](const AnyPatch& self, const py::object& u, const py::object& v, const py::object& side) {
             return fundamental_forms(patch_form(self), u, v, side);
-          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
-          "(first, second) at pairs of parameters: u and v broadcast, (...,) -> two arrays (..., 2, 2).\n\n"
-          "[[E, F], [F, G]] and [[L, M], [M, N]], with the unit normal along S_u x S_v. At a pole the normal is its\n"
-          "limit; the second form is nan where it has none. InvalidShape if a form is too large for a number.\n"
-          "Rows S19, S20.");
+          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right");
   cls.def("curvatures", [](const AnyPatch& self, const py::object& u, const py::object& v, const py::object& side) {
             return curvatures(patch_form(self), u, v, side);
-          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right",
-          "Curvatures at pairs of parameters, which broadcast: positive where the patch bends towards its normal.\n\n"
-          "At a pole they are those of the one form that all lines through it agree on; nan where they do not, as\n"
-          "at the tip of a cone, and where S_u and S_v are parallel. InvalidShape if one is too large for a number.\n"
-          "Rows S19, S20.");
+          }, py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right");
   cls.def("area", [](const AnyPatch& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::area(patch_form(self), most).value; }, cancel);
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none());
 }
 
 void bind_set(Class<PatchSet> cls) {
   cls.def("area", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::area(self, most).value; }, cancel);
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(), kAreaText);
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none());
   cls.def("volume", [](const PatchSet& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::volume(self, most).value; }, cancel);
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
-          "The volume that the patches enclose, a float right to a relative tolerance; negative if the normals point\n"
-          "inwards. By Gauss's theorem and adaptive quadrature. cancel: a callable that ends the call by returning true.\n\n"
-          "InvalidShape names a side that meets no other, or beyond which the normals point to the other side. Sides\n"
-          "meet on equal points, a side of a pole or across a periodic direction is closed. Rows S19, S20.");
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none());
 }
 
 py::array_t<double> second_moments(const PatchSet& set, const py::object& about, const py::object& tolerance,
@@ -248,29 +214,16 @@ void bind_moments(Class<PatchSet> cls) {
             py::array_t<double> out(Shape{3});
             std::copy_n(&found.x, 3, out.mutable_data());
             return out;
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
-          "The centroid of the solid that the patches enclose, (3,): off by at most the tolerance times half the\n"
-          "diagonal of the box of the points, or by rounding where that is more. By Gauss's theorem and adaptive\n"
-          "quadrature; normals that point inwards change nothing.\n\n"
-          "InvalidShape as volume(), and where the volume is none; PointAtInfinity; ToleranceNotReached. cancel as of\n"
-          "volume(). Rows S19, S20.");
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none());
   cls.def("second_moments", [](const PatchSet& self, const py::object& about, const py::object& tolerance,
                                const py::object& cancel) { return second_moments(self, about, tolerance, cancel); },
           py::arg("about") = py::none(), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
-          py::arg("cancel") = py::none(),
-          "The integral of d d^T over the solid that the patches enclose, a symmetric (3, 3): d is the way from a\n"
-          "point (3,), by default from the centroid. The inertia tensor at density 1 is trace(m) * eye(3) - m.\n\n"
-          "Those about the centroid are off by at most the tolerance times their trace, or by rounding where that is\n"
-          "more. All are negative if the normals point inwards, as the volume is. InvalidShape as centroid(), and if\n"
-          "one is too large for a number; PointAtInfinity; ToleranceNotReached. cancel as of volume(). Rows S19, S20.");
+          py::arg("cancel") = py::none());
 }
 
 void bind_result(py::module_& module) {
   Class<Curvatures> cls(
-      module, "Curvatures", py::module_local(),
-      "How patches bend at places (...,): positive towards the normal along S_u x S_v.\n\n"
-      "gauss and mean are (...,); principal is (..., 2), the larger one first; directions is (..., 2, 3), unit\n"
-      "vectors in space at right angles, the second the normal times the first.");
+      module, "Curvatures", py::module_local());
   seal(cls);
   pickle_members(cls, &Curvatures::gauss, &Curvatures::mean, &Curvatures::principal, &Curvatures::directions);
   cls.def_readonly("gauss", &Curvatures::gauss);

@@ -1,5 +1,6 @@
 #include <pybind11/pybind11.h>
 
+#include "documentation.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/base/approximation.hpp"
@@ -14,24 +15,18 @@ namespace {
 
 /// Raised for What; an Error and one of Python's own kinds.
 template <class What>
-void bind_error(py::module_& module, const char* name, PyObject* kind, const char* text) {
+void bind_error(py::module_& module, const char* name, PyObject* kind) {
   const py::tuple bases = py::make_tuple(module.attr("Error"), py::handle(kind));
-  py::register_local_exception<What>(module, name, bases).doc() = text;
+  py::register_local_exception<What>(module, name, bases);
 }
 
 void bind_errors(py::module_& module) {
-  module.attr("Error") = py::reinterpret_steal<py::object>(PyErr_NewExceptionWithDoc(
-      "_splinecore.Error", "Base class of all exceptions raised by the library.", PyExc_Exception, nullptr));
-  bind_error<splinecore::InvalidShape>(
-      module, "InvalidShape", PyExc_ValueError,
-      "Bad input: the message names the argument, the first offending index and its value.");
-  bind_error<splinecore::PointAtInfinity>(module, "PointAtInfinity", PyExc_ArithmeticError,
-                                          "A point was asked for where the homogeneous weight is zero.");
-  bind_error<splinecore::ToleranceNotReached>(
-      module, "ToleranceNotReached", PyExc_ArithmeticError,
-      "What was asked for cannot be reached within the tolerance: the message says with which error it could.");
-  bind_error<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError,
-                                  "A long call was ended by its cancel argument.");
+  module.attr("Error") =
+      py::reinterpret_steal<py::object>(PyErr_NewException("_splinecore.Error", PyExc_Exception, nullptr));
+  bind_error<splinecore::InvalidShape>(module, "InvalidShape", PyExc_ValueError);
+  bind_error<splinecore::PointAtInfinity>(module, "PointAtInfinity", PyExc_ArithmeticError);
+  bind_error<splinecore::ToleranceNotReached>(module, "ToleranceNotReached", PyExc_ArithmeticError);
+  bind_error<bindings::Cancelled>(module, "Cancelled", PyExc_RuntimeError);
 }
 
 }  // namespace
@@ -89,4 +84,5 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_exchange(module);
 
   bindings::explain_wrong_calls(module);
+  bindings::document(module);
 }

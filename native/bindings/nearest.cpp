@@ -74,16 +74,7 @@ void bind_curve(const CurveClasses& cls) {
                         const py::object& cancel) {
             return nearest(form(self), points, threads, cancel);
           },
-          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
-          "The nearest point of all the curve to each of points (..., 2 or 3), as a Nearest: ends, corners and\n"
-          "gaps included, never a minimum that is only local. Distances are right to a few roundings of the\n"
-          "size of the curve and of themselves.\n\n"
-          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of\n"
-          "places at one distance, up to rounding, it is the one with the smallest parameter, to 1e-6 of the\n"
-          "domain; of a periodic curve it lies in [start, end). Where the curve passes through infinity its\n"
-          "finite part counts; at a gap the point is that of the nearer side. A point has the same result in\n"
-          "any batch, on any number of threads. cancel is a callable that ends a long call by returning True.\n"
-          "InvalidShape names a point that is not finite.");
+          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 
 void bind_patch(const PatchClasses& cls) {
@@ -91,25 +82,11 @@ void bind_patch(const PatchClasses& cls) {
                         const py::object& cancel) {
             return nearest(patch_form(self), points, threads, cancel);
           },
-          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none(),
-          "The nearest point of all the patch to each of points (..., 2 or 3), as a Nearest: borders, corners\n"
-          "and poles included, never a minimum that is only local. Distances are right to a few roundings of\n"
-          "the size of the patch and of themselves.\n\n"
-          "Branch and bound on the boxes of Bernstein pieces (Johnson and Cohen 1998), with Newton's method. Of\n"
-          "places at one distance, up to rounding, it is the one with the smallest u, then v, to 1e-6 of the\n"
-          "domain; where periodic in [start, end). Where the patch passes through infinity its finite part\n"
-          "counts. Where more than 2^14 parts may hold the point, as where a whole curve of places is as near\n"
-          "that is none of constant u or v, any of them is taken, and the distance is right to 1e-7 of the size\n"
-          "of the patch and of itself; after 2^18 parts it is refused. A point has the same result in any batch,\n"
-          "on any number of threads. cancel is a callable that ends a long call by returning True. InvalidShape\n"
-          "names a point that is not finite.");
+          py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 
 void bind_result(py::module_& module) {
-  Class<Nearest> cls(module, "Nearest", py::module_local(),
-                          "The nearest points of a shape to points (..., 3).\n\n"
-                          "parameters is (...,) on a curve and (..., 2), u and v, on a patch; points is (..., 3),\n"
-                          "distances (...,).");
+  Class<Nearest> cls(module, "Nearest", py::module_local());
   seal(cls);
   pickle_members(cls, &Nearest::parameters, &Nearest::points, &Nearest::distances);
   cls.def_readonly("parameters", &Nearest::parameters);

@@ -111,16 +111,7 @@ SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, 
 
 void bind_seam(py::module_& module) {
   Class<SeamContinuity> cls(
-      module, "SeamContinuity", py::module_local(),
-      "The continuity of two patches across a side of each (lecture rows S16, S21).\n\n"
-      "gap is a length, angle in [0, pi] lies between the tangent planes (0 where the second goes on, pi where it\n"
-      "folds back), curvature_difference is that of the normal curvatures at right angles to the seam, in 1 / length.\n"
-      "first_difference and second_difference are those of the derivatives across, relative to the largest of them.\n"
-      "All are the largest along the seam. c is -1 for a gap, else the derivatives across that agree, 2 at most; g is\n"
-      "-1, 0, 1 for tangent planes or 2 for curvatures. reversed: the second runs against the first.\n\n"
-      "At n places along the first's side: parameters (n,) in [0, 1], which never fall and occur twice at knots,\n"
-      "points (n, 3), gaps, angles and curvature_differences (n,); nan where there is nothing to measure, as at\n"
-      "infinity or at the tip of a cone. Read-only float64.");
+      module, "SeamContinuity", py::module_local());
   seal(cls);
   pickle_members(cls, &SeamContinuity::gap, &SeamContinuity::angle, &SeamContinuity::curvature_difference,
                   &SeamContinuity::first_difference, &SeamContinuity::second_difference, &SeamContinuity::c,
@@ -138,7 +129,7 @@ void bind_seam(py::module_& module) {
   const auto add_numbers = [&cls](const char* name, std::vector<double> SeamContinuity::*member) {
     cls.def_property_readonly(name, [member](const py::object& self) {
       return view_of_numbers(std::span<const double>(py::cast<const SeamContinuity&>(self).*member), self);
-    }, "(n,) float64, read-only.");
+    });
   };
   add_numbers("parameters", &SeamContinuity::parameters);
   add_numbers("gaps", &SeamContinuity::gaps);
@@ -147,7 +138,7 @@ void bind_seam(py::module_& module) {
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto& points = py::cast<const SeamContinuity&>(self).points;
     return view_of_vectors(points, {static_cast<py::ssize_t>(points.size())}, self);
-  }, "(n, 3) float64, read-only.");
+  });
   cls.def("__repr__", [](const SeamContinuity& self) {
     const auto text = [](double value) { return splinecore::text_of(value); };
     return "SeamContinuity(gap=" + text(self.gap) + ", angle=" + text(self.angle) + ", curvature_difference=" +
@@ -163,16 +154,7 @@ void bind_seam_function(py::module_& module) {
                                       second_side, "second_side", tolerance, parameters, reversed);
              }, py::arg("first"), py::arg("first_side"), py::arg("second"), py::arg("second_side"), py::kw_only(),
              py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("parameters") = py::none(),
-             py::arg("reversed") = py::none(),
-             "The SeamContinuity of two patches of any kinds across a side of each: 'u_start', 'u_end', 'v_start' or\n"
-             "'v_end'.\n\n"
-             "Places of both are those equally far along the parameters of their sides, the second's against the\n"
-             "first's if reversed, by default as their ends lie nearer: close in every span, both sides of each knot, and closer\n"
-             "where gap, angle or difference of curvatures are largest, or parameters (n,) in [0, 1]: the largest found, no bounds.\n"
-             "Below the tolerance an angle\n"
-             "or a relative difference of derivatives or curvatures is called none; a gap is none if rounding makes it. Where\n"
-             "tangent planes are common, one curvature decides (Pegna and Wolter 1992). InvalidShape if a side lies at infinity or is the seam of a periodic axis.\n"
-             "Rows S16, S21.");
+             py::arg("reversed") = py::none());
 }
 
 template <class Patch>
@@ -184,18 +166,12 @@ void bind_continuity_to(const py::module_& module, const char* name) {
             return seam_continuity(AnyPatch(self), side, other, "other", "side", other_side, "other_side", tolerance,
                                    py::none(), reversed);
           }, py::arg("side"), py::arg("other"), py::arg("other_side"),
-          py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("reversed") = py::none(),
-          "The SeamContinuity between a side of this patch and one of another, of any kind: seam_continuity().\n"
-          "Rows S16, S21.");
+          py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("reversed") = py::none());
 }
 
 void bind_join(py::module_& module) {
   Class<JoinedPatches> cls(
-      module, "JoinedPatches", py::module_local(),
-      "Two patches that meet in a side of each: points and weights along it are equal.\n\n"
-      "first and second are BezierPatches if both were, otherwise NurbsPatches. first_error and second_error are how\n"
-      "far they moved, lengths as of largest_distance(), 0 for one that stays. reversed: the second runs against the\n"
-      "first along the side.");
+      module, "JoinedPatches", py::module_local());
   seal(cls);
   pickle_members(cls, &JoinedPatches::first, &JoinedPatches::second, &JoinedPatches::first_error,
                   &JoinedPatches::second_error, &JoinedPatches::reversed);
@@ -212,19 +188,7 @@ void bind_join(py::module_& module) {
   py::module_ build = module.attr("build");
   build.def("join_patches", &join_patches, py::arg("first"), py::arg("first_side"), py::arg("second"),
             py::arg("second_side"), py::arg("continuity") = "G1", py::arg("moves") = "second",
-            py::arg("reversed") = py::none(),
-            "The JoinedPatches of two patches of any kinds, brought together along a side of each: 'u_start',\n"
-            "'u_end', 'v_start' or 'v_end'. Lecture row S21.\n\n"
-            "continuity: 'C0' for a common edge, 'G1' for common tangent planes, 'C1' for equal first derivatives\n"
-            "across, 'G2' for common curvatures, 'C2' for equal first two; c1 and g1 are taken, too. moves: which\n"
-            "patch gives way, 'second', 'first' or 'both'. reversed: whether the second runs against the first along\n"
-            "the edge, by default as their ends lie nearer.\n\n"
-            "Domains and directions of parameters stay. Both get, exactly, one degree and the same knots along the\n"
-            "edge, and are clamped; periodic along it where both are. The rows of points beside the edge move by the\n"
-            "least that the condition asks for, with ratios constant along it (Farin 2002 and Faux and Pratt\n"
-            "1979 on composite surfaces): a patch that moves is raised in degree across until its opposite side stays where it was.\n"
-            "Weights that are positive stay so. InvalidShape if a side is one point, lies at infinity or is the seam\n"
-            "of a periodic axis, or if a patch leaves the edge in no direction.");
+            py::arg("reversed") = py::none());
 }
 
 }  // namespace

@@ -181,12 +181,7 @@ py::list seams(const PatchSet& set) {
 
 void bind_patch_set(py::module_& module) {
   Class<PatchSet> cls(
-      module, "PatchSet", py::module_local(),
-      "PatchSet(points, patches, weights=None)\n\n"
-      "Many patches on one pool of points (n, 2 or 3) with weights (n,), so that neighbors share them.\n"
-      "A patch is an (nu, nv) array of rows of the pool (Bezier), or a dict: kind 'bezier', 'hermite' or\n"
-      "'nurbs', indices, and for NURBS degree, knots and periodic (pairs), for Hermite parameters and\n"
-      "indices (4, nu, nv) of points (w = 1), tangents along u, along v and twists (w = 0).");
+      module, "PatchSet", py::module_local());
   cls.def(py::init(&patch_set), py::arg("points"), py::arg("patches"), py::arg("weights") = py::none());
   cls.def_static("from_patches", [](const py::object& patches, const py::object& merge) {
                    std::vector<AnyPatch> all;
@@ -202,29 +197,28 @@ void bind_patch_set(py::module_& module) {
                    const bool is_merged = boolean(merge, "merge");
                    return unlocked([&] { return PatchSet::of(all, is_merged); });
                  },
-                 py::arg("patches"), py::arg("merge") = true,
-                 "A set with the patches' own points as its pool; points equal in every bit become one.");
+                 py::arg("patches"), py::arg("merge") = true);
   bind_value(cls);
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto points = py::cast<const PatchSet&>(self).points();
     return view_of_points(points, {static_cast<py::ssize_t>(points.size())}, self);
-  }, "(n, 3) float64, the pool, read-only.");
+  });
   cls.def_property_readonly("weights", [](const py::object& self) {
     const auto points = py::cast<const PatchSet&>(self).points();
     return view_of_weights(points, {static_cast<py::ssize_t>(points.size())}, self);
-  }, "(n,) float64, read-only.");
+  });
   cls.def_property_readonly("patches", [](const py::object& self) {
     py::list all;
     for (const IndexedPatch& patch : py::cast<const PatchSet&>(self).patches()) all.append(fields_of(patch, self));
     return all;
-  }, "A dict for each patch, as the constructor takes them.");
+  });
   cls.def("__len__", [](const PatchSet& self) { return self.patches().size(); });
   cls.def("__getitem__", [](const PatchSet& self, const py::object& i) {
     const int index = integer(i, "i");
     const int count = static_cast<int>(self.patches().size());
     if (index < -count || index >= count) throw py::index_error("i = " + std::to_string(index) + " is outside the set");
     return wrap(self.patch(index < 0 ? index + count : index));
-  }, py::arg("i"), "Patch i as a BezierPatch, HermitePatch or NurbsPatch.");
+  }, py::arg("i"));
   cls.def("with_points", [](const PatchSet& self, const py::object& points, const py::object& weights) {
             const Doubles given = real_array(points, "points");
             auto rows = weighted_points(given, weights, 1);
@@ -233,8 +227,7 @@ void bind_patch_set(py::module_& module) {
               for (std::size_t i = 0; i < rows.size(); ++i) rows[i].w = self.points()[i].w;
             }
             return unlocked([&] { return self.with_points(std::move(rows)); });
-          }, py::arg("points"), py::arg("weights") = py::none(),
-          "The same patches on another pool. Weights are kept unless given; a pool of another size needs them.");
+          }, py::arg("points"), py::arg("weights") = py::none());
   cls.def("evaluate_grid", [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
                               const py::object& at_infinity, const py::object& dtype, const py::object& out,
                               const py::object& threads, const py::object& cancel) {
@@ -242,8 +235,7 @@ void bind_patch_set(py::module_& module) {
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
           py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "evaluate_grid() of every patch in one call: (patches, a, b, 3). u and v lie in the domain of each.");
+          py::arg("cancel") = py::none());
   cls.def("evaluate_grid_with_normals",
           [](const PatchSet& self, const py::object& u, const py::object& v, const py::object& side,
              const py::object& at_infinity, const py::object& dtype, const py::object& out, const py::object& threads,
@@ -252,18 +244,10 @@ void bind_patch_set(py::module_& module) {
           },
           py::arg("u"), py::arg("v"), py::kw_only(), py::arg("side") = "right", py::arg("at_infinity") = "raise",
           py::arg("dtype") = py::none(), py::arg("out") = py::none(), py::arg("threads") = 0,
-          py::arg("cancel") = py::none(),
-          "evaluate_grid_with_normals() of every patch in one call: two arrays (patches, a, b, 3).");
-  cls.def("flipped", [](const PatchSet& self) { return unlocked([&] { return splinecore::flipped(self); }); },
-          "All patches seen from the other side: u and v exchanged.");
-  cls.def("edge_counts", &edge_counts,
-          "{'shared', 'free', 'pole'}: how the sides of the patches meet. An edge counts once, however many sides lie\n"
-          "on it; a pole is a side shrunk to a point. Two sides are one edge where they are one curve at equal scaled\n"
-          "parameters, to 1e-10 of the extent of the larger of their patches, whatever their degrees and\n"
-          "knots.");
-  cls.def("seams", &seams,
-          "[((patch, side), (patch, side)), ...]: the whole sides that are one edge, as of edge_counts(); sides are\n"
-          "named as by boundary().");
+          py::arg("cancel") = py::none());
+  cls.def("flipped", [](const PatchSet& self) { return unlocked([&] { return splinecore::flipped(self); }); });
+  cls.def("edge_counts", &edge_counts);
+  cls.def("seams", &seams);
   cls.def("__repr__", [](const PatchSet& self) {
     return "PatchSet(patches=" + std::to_string(self.patches().size()) + ", points=" + std::to_string(self.points().size()) + ")";
   });

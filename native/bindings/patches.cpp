@@ -40,11 +40,10 @@ void bind_parts(Class<Patch>& cls) {
             }
             auto [before, after] = unlocked([&] { return splinecore::split(self, direction, at); });
             return py::make_tuple(std::move(before), std::move(after));
-          }, py::arg("axis"), py::arg("u"), "(before, after) a parameter of axis 'u' or 'v'.");
+          }, py::arg("axis"), py::arg("u"));
   cls.def("reversed", [](const Patch& self, const py::object& axis) { return splinecore::reversed(self, axis_of(axis)); },
-          py::arg("axis"), "The same surface with axis 'u' or 'v' running backwards: normals turn over.");
-  cls.def("swapped", [](const Patch& self) { return splinecore::swapped(self); },
-          "The same surface with u and v exchanged: normals turn over.");
+          py::arg("axis"));
+  cls.def("swapped", [](const Patch& self) { return splinecore::swapped(self); });
 }
 
 template <class Patch>
@@ -52,15 +51,14 @@ void bind_points(Class<Patch>& cls) {
   cls.def_property_readonly("points", [](const py::object& self) {
     const auto& patch = form(py::cast<const Patch&>(self));
     return view_of_points(patch.points(), net_shape(patch), self);
-  }, "(nu, nv, 3) float64, as given, read-only.");
+  });
   cls.def_property_readonly("weights", [](const py::object& self) {
     const auto& patch = form(py::cast<const Patch&>(self));
     return view_of_weights(patch.points(), net_shape(patch), self);
-  }, "(nu, nv) float64, read-only.");
+  });
   cls.def_property_readonly("homogeneous_points", [](const Patch& self) {
     return homogeneous_array(form(self).points(), net_shape(form(self)));
-  }, "(nu, nv, 4): wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large for a\n"
-     "number.");
+  });
 }
 
 /// Other points with the weights of the patch.
@@ -108,10 +106,7 @@ void require_counts(const Doubles& net, const KnotVector& u, const KnotVector& v
 
 void bind_nurbs(py::module_& module) {
   Class<NurbsPatch> cls(
-      module, "NurbsPatch", py::module_local(),
-      "NurbsPatch(degree, knots, points, weights=None, periodic=(False, False))\n\n"
-      "A net (nu, nv, 2 or 3) with weights (nu, nv) on two knot vectors; degree, knots and periodic are pairs\n"
-      "for u and v. Lecture row S20.");
+      module, "NurbsPatch", py::module_local());
   cls.def(py::init([](const py::object& degree, const py::object& knots, const py::object& points,
                       const py::object& weights, const py::object& periodic) {
             const Doubles net = real_array(points, "points");
@@ -133,8 +128,7 @@ void bind_nurbs(py::module_& module) {
                    splinecore::require_points(rows, net.shape(1));
                    return NurbsPatch::from_homogeneous(std::move(u), std::move(v), rows);
                  },
-                 py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = py::make_tuple(false, false),
-                 "From points (nu, nv, 4): wx, wy, wz, w; w = 0 makes a direction.");
+                 py::arg("degree"), py::arg("knots"), py::arg("points"), py::arg("periodic") = py::make_tuple(false, false));
   bind_parts(cls);
   bind_points(cls);
   bind_value(cls);
@@ -145,31 +139,30 @@ void bind_nurbs(py::module_& module) {
     const auto& patch = py::cast<const NurbsPatch&>(self);
     return py::make_tuple(view_of_numbers(patch.knot_vector(Axis::u).knots(), self),
                           view_of_numbers(patch.knot_vector(Axis::v).knots(), self));
-  }, "(knots of u, knots of v): read-only float64 arrays.");
+  });
   cls.def_property_readonly("knot_vectors", [](const NurbsPatch& self) {
     return py::make_tuple(self.knot_vector(Axis::u), self.knot_vector(Axis::v));
   });
   cls.def("with_points", [](const NurbsPatch& self, const py::object& points) {
     return self.with_points(with_new_points(self, points));
-  }, py::arg("points"), "The patch with other points and the same weights and knots.");
+  }, py::arg("points"));
   cls.def("with_weights", [](const NurbsPatch& self, const py::object& weights) {
     return self.with_points(with_new_weights(self.points(), weights, net_shape(self)));
-  }, py::arg("weights"), "The patch with other weights and the same points and knots.");
+  }, py::arg("weights"));
   cls.def("insert_knot", [](const NurbsPatch& self, const py::object& axis, const py::object& u, const py::object& times) {
             const Axis direction = axis_of(axis);
             const double at = parameter(u, self.knot_vector(direction));
             const int count = integer(times, "times");
             return unlocked([&] { return splinecore::insert_knot(self, direction, at, count); });
-          }, py::arg("axis"), py::arg("u"), py::arg("times") = 1, "The same surface with u added to the knots of an axis.");
+          }, py::arg("axis"), py::arg("u"), py::arg("times") = 1);
   cls.def("refine", [](const NurbsPatch& self, const py::object& axis, const py::object& knots) {
             const Axis direction = axis_of(axis);
             const std::vector<double> inserted = numbers(knots, "knots");
             return unlocked([&] { return splinecore::refine(self, direction, inserted); });
-          }, py::arg("axis"), py::arg("knots"), "The same surface with all these parameters added to the knots of an axis.");
+          }, py::arg("axis"), py::arg("knots"));
   bind_patch_verbs(cls);
-  cls.def("unrolled", [](const NurbsPatch& self) { return splinecore::unrolled(self); },
-          "The same surface without periodic directions.");
-  cls.def("to_nurbs", [](const NurbsPatch& self) { return self; }, "The patch itself.");
+  cls.def("unrolled", [](const NurbsPatch& self) { return splinecore::unrolled(self); });
+  cls.def("to_nurbs", [](const NurbsPatch& self) { return self; });
   cls.def("__repr__", [](const NurbsPatch& self) {
     return "NurbsPatch(degree=(" + std::to_string(self.knot_vector(Axis::u).degree()) + ", " +
            std::to_string(self.knot_vector(Axis::v).degree()) + "), points=(" + std::to_string(self.count(Axis::u)) +
@@ -179,9 +172,7 @@ void bind_nurbs(py::module_& module) {
 
 void bind_bezier(py::module_& module) {
   Class<BezierPatch> cls(
-      module, "BezierPatch", py::module_local(),
-      "BezierPatch(points, weights=None)\n\n"
-      "A net (degree_u + 1, degree_v + 1, 2 or 3) with weights, over [0, 1] x [0, 1]. Lecture row S19.");
+      module, "BezierPatch", py::module_local());
   cls.def(py::init([](const py::object& points, const py::object& weights) {
             const Doubles net = real_array(points, "points");
             auto rows = weighted_points(net, weights, 2);
@@ -193,13 +184,13 @@ void bind_bezier(py::module_& module) {
   bind_value(cls);
   cls.def("with_points", [](const BezierPatch& self, const py::object& points) {
     return BezierPatch::make(self.count(Axis::u), self.count(Axis::v), with_new_points(self.nurbs(), points));
-  }, py::arg("points"), "The patch with other points and the same weights.");
+  }, py::arg("points"));
   cls.def("with_weights", [](const BezierPatch& self, const py::object& weights) {
     return BezierPatch::make(self.count(Axis::u), self.count(Axis::v),
                              with_new_weights(self.points(), weights, net_shape(self.nurbs())));
-  }, py::arg("weights"), "The patch with other weights and the same points.");
+  }, py::arg("weights"));
   bind_patch_verbs(cls);
-  cls.def("to_nurbs", [](const BezierPatch& self) { return self.nurbs(); }, "The same patch as a NurbsPatch.");
+  cls.def("to_nurbs", [](const BezierPatch& self) { return self.nurbs(); });
   cls.def("__repr__", [](const BezierPatch& self) {
     return "BezierPatch(degree=(" + std::to_string(self.degree(Axis::u)) + ", " + std::to_string(self.degree(Axis::v)) +
            (self.nurbs().rational() ? "), rational)" : "))");
@@ -216,10 +207,7 @@ std::vector<glm::dvec3> vectors_of_net(const py::object& value, const char* name
 
 void bind_hermite(py::module_& module) {
   Class<HermitePatch> cls(
-      module, "HermitePatch", py::module_local(),
-      "HermitePatch(points, tangents_u, tangents_v, twists=None, parameters=None)\n\n"
-      "A grid of bicubic patches through points (nu, nv, 2 or 3) with derivatives of the same shape; without\n"
-      "twists Ferguson's patch. parameters is a pair of increasing (nu,), (nv,). Lecture row S20.");
+      module, "HermitePatch", py::module_local());
   cls.def(py::init([](const py::object& points, const py::object& tangents_u, const py::object& tangents_v,
                       const py::object& twists, const py::object& parameters) {
             const Doubles net = real_array(points, "points");
@@ -240,7 +228,7 @@ void bind_hermite(py::module_& module) {
     cls.def_property_readonly(name, [member](const py::object& self) {
       const auto& patch = py::cast<const HermitePatch&>(self);
       return view_of_vectors(patch.net().*member, {patch.count(Axis::u), patch.count(Axis::v)}, self);
-    }, "(nu, nv, 3) float64, read-only.");
+    });
   };
   add_net("points", &splinecore::HermiteNet::points);
   add_net("tangents_u", &splinecore::HermiteNet::tangents_u);
@@ -249,10 +237,9 @@ void bind_hermite(py::module_& module) {
   cls.def_property_readonly("parameters", [](const py::object& self) {
     const auto& patch = py::cast<const HermitePatch&>(self);
     return py::make_tuple(view_of_numbers(patch.parameters(Axis::u), self), view_of_numbers(patch.parameters(Axis::v), self));
-  }, "(parameters of u, parameters of v): read-only float64 arrays.");
+  });
   bind_patch_verbs(cls);
-  cls.def("to_nurbs", [](const HermitePatch& self) { return self.nurbs(); },
-          "The same patch as a bicubic NurbsPatch with triple knots.");
+  cls.def("to_nurbs", [](const HermitePatch& self) { return self.nurbs(); });
   cls.def("__repr__", [](const HermitePatch& self) {
     return "HermitePatch(points=(" + std::to_string(self.count(Axis::u)) + ", " + std::to_string(self.count(Axis::v)) + "))";
   });

@@ -27,20 +27,11 @@ void bind_curve(const CurveClasses& cls) {
             return signed_area(form(self), normal, tolerance);
           },
           py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0), py::kw_only(),
-          py::arg("tolerance") = splinecore::kPlaneAreaTolerance,
-          "The area within a closed curve, a float: positive where it lies to the left, seen against the\n"
-          "normal (3,); parts enclosed twice count twice.\n\n"
-          "Of a curve that is not in a plane at right angles to the normal it is that of what is seen. By Green's\n"
-          "theorem: exact of polynomials but for rounding, of rational curves off by at most the tolerance times what\n"
-          "the line from the curve's middle sweeps. InvalidShape if the ends are apart by more than 1e-9 of the size\n"
-          "or the curve is in several pieces; PointAtInfinity, ToleranceNotReached. Row S15.");
+          py::arg("tolerance") = splinecore::kPlaneAreaTolerance);
   cls.def("winding_number", [](const AnyCurve& self, const py::object& point, const py::object& normal) {
             return winding_number(form(self), point, normal);
           },
-          py::arg("point"), py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0),
-          "The winding number of a closed curve around a point (3,), to the left, seen against the normal (3,): an int.\n\n"
-          "0 outside. The crossings of a ray, all roots of a polynomial on every span. InvalidShape if the point lies\n"
-          "on the curve up to 1e-12 of its size; and as signed_area(). Row S15.");
+          py::arg("point"), py::arg("normal") = py::make_tuple(0.0, 0.0, 1.0));
 }
 
 }  // namespace

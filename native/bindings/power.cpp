@@ -32,8 +32,7 @@ void bind_making(Class<PowerCurve>& cls) {
                    return PowerCurve::make(rows_of_four(real_array(coefficients, "coefficients"), "coefficients", 1),
                                            real(origin, "origin"), interval_of(domain, "domain"));
                  },
-                 py::arg("coefficients"), py::arg("origin") = 0.0, py::arg("domain") = py::make_tuple(0.0, 1.0),
-                 "A rational curve from coefficients (n, 4) of wx, wy, wz and of the denominator w.");
+                 py::arg("coefficients"), py::arg("origin") = 0.0, py::arg("domain") = py::make_tuple(0.0, 1.0));
 }
 
 void bind_parts(Class<PowerCurve>& cls) {
@@ -41,41 +40,33 @@ void bind_parts(Class<PowerCurve>& cls) {
   cls.def_property_readonly("coefficients", [count](const py::object& self) {
     const auto& curve = py::cast<const PowerCurve&>(self);
     return view_of_points(curve.coefficients(), count(curve), self);
-  }, "(degree + 1, 3) float64, lowest power first, read-only. Of a rational curve: those of the numerator.");
+  });
   cls.def_property_readonly("weights", [count](const py::object& self) {
     const auto& curve = py::cast<const PowerCurve&>(self);
     return view_of_weights(curve.coefficients(), count(curve), self);
-  }, "(degree + 1,) float64, read-only: coefficients of the denominator, 1, 0, 0, … of a polynomial.");
+  });
   cls.def_property_readonly("homogeneous_coefficients", [](const py::object& self) {
     const auto rows = py::cast<const PowerCurve&>(self).coefficients();
     return view_of_numbers(std::span(&rows.data()->x, 4 * rows.size()), {static_cast<py::ssize_t>(rows.size()), 4}, self);
-  }, "(degree + 1, 4) float64, read-only: what from_homogeneous() takes.");
+  });
   cls.def_property_readonly("origin", &PowerCurve::origin);
 }
 
 void bind_verbs(Class<PowerCurve>& cls) {
   cls.def("with_origin", [](const PowerCurve& self, const py::object& origin) {
             return splinecore::with_origin(self, real(origin, "origin"));
-          }, py::arg("origin"),
-          "The same curve in powers of t - origin (Taylor shift; Knuth, TAOCP 4.6.4; row S2).\n\n"
-          "About a far origin the coefficients are large and cancel: storing them loses the digits of\n"
-          "sum |c_k| |t - origin|^k / |value|. InvalidShape if they overflow.");
+          }, py::arg("origin"));
   cls.def("to_power", [](const PowerCurve& self, const py::object& origin) {
             return splinecore::with_origin(self, real(origin, "origin"));
-          }, py::arg("origin") = 0.0, "The same as with_origin(origin).");
+          }, py::arg("origin") = 0.0);
   cls.def("with_domain", [](const PowerCurve& self, const py::object& domain) {
             return splinecore::with_domain(self, interval_of(domain, "domain"));
-          }, py::arg("domain"), "The same coefficients on another domain (start, end).");
-  cls.def("derivative", [](const PowerCurve& self) { return splinecore::derivative(self); },
-          "The curve Q'(t), by differentiating the monomials (row S2).\n\n"
-          "Of a rational curve (X'W - XW') / W², of twice the degree; InvalidShape if that passes 255. Of a\n"
-          "line a point that stands still, still of degree 1.");
+          }, py::arg("domain"));
+  cls.def("derivative", [](const PowerCurve& self) { return splinecore::derivative(self); });
   cls.def("split", [](const PowerCurve& self, const py::object& u) { return splinecore::split(self, real(u, "u")); },
-          py::arg("u"), "(before, after): the same coefficients, each on its part of the domain.");
-  cls.def("reversed", [](const PowerCurve& self) { return splinecore::reversed(self); },
-          "The same points in the opposite direction, over the same domain; about the mirrored origin.");
-  cls.def("to_nurbs", [](const PowerCurve& self) { return self.nurbs(); },
-          "The same curve as a NurbsCurve of one clamped span on the domain.");
+          py::arg("u"));
+  cls.def("reversed", [](const PowerCurve& self) { return splinecore::reversed(self); });
+  cls.def("to_nurbs", [](const PowerCurve& self) { return self.nurbs(); });
   cls.def("__repr__", [](const PowerCurve& self) {
     return "PowerCurve(degree=" + std::to_string(self.degree()) + ", origin=" + splinecore::text_of(self.origin()) +
            (self.polynomial() ? ")" : ", rational)");
@@ -86,11 +77,7 @@ void bind_verbs(Class<PowerCurve>& cls) {
 
 void bind_power(py::module_& module) {
   Class<PowerCurve> cls(
-      module, "PowerCurve", py::module_local(),
-      "PowerCurve(coefficients, origin=0.0, domain=(0.0, 1.0))\n\n"
-      "A polynomial by its coefficients (degree + 1, 2 or 3), lowest power first: Q(t) = sum c_k (t - origin)^k.\n"
-      "It is evaluated through its Bernstein form on the domain, whose points are right to an ulp of the\n"
-      "largest. Raises InvalidShape or TypeError naming the argument, index and value. Lecture row S2.");
+      module, "PowerCurve", py::module_local());
   bind_making(cls);
   bind_value(cls);
   bind_parts(cls);

@@ -71,16 +71,7 @@ void bind_two_rails(py::module_& build) {
               return wrap(unlocked([&] { return splinecore::sweep(along, other, given, options); }, cancel));
             }, py::arg("rail"), py::arg("second"), py::arg("sections"), py::kw_only(), py::arg("at") = py::none(),
             py::arg("height") = "scaled", py::arg("up") = py::none(), py::arg("tolerance") = py::none(),
-            py::arg("cancel") = py::none(),
-            "The surface of a section between two rails, run through at equal parts of their domains, so that both are to run the\n"
-            "same way; of several sections at the parameters `at` of the first one, by default even ones: (value, error) as of\n"
-            "sweep(), u along the sections, v by the parameter of the first rail (row S20).\n\n"
-            "Sections are given with x from the first rail to the second one, and stretched along it so that they stay between\n"
-            "both; their height, along y and z, is 'scaled' with it or 'kept'. y stays near `up` (3,), or is at right angles to\n"
-            "the rails. What a section passes by a rail is in the error. tolerance, a length: by default 2^-20 of the size of the\n"
-            "rails.\n"
-            "InvalidShape as sweep(), or if a section touches neither rail, the rails meet, have corners and there is no `up`, run from one to the other\n"
-            "or against each other; ToleranceNotReached.");
+            py::arg("cancel") = py::none());
 }
 
 void bind_pipe(py::module_& build) {
@@ -93,13 +84,7 @@ void bind_pipe(py::module_& build) {
               const std::optional<NurbsCurve> factor = scale_of(scale);
               return wrap(unlocked([&] { return splinecore::pipe(about, radii, ends, within, factor); }, cancel));
             }, py::arg("axis"), py::arg("radius"), py::kw_only(), py::arg("caps") = "none", py::arg("tolerance") = py::none(),
-            py::arg("scale") = py::none(), py::arg("cancel") = py::none(),
-            "A pipe about a curve of any kind: (value, error), a list of NurbsPatch with normals outwards, the mantle and then the\n"
-            "caps at its start and end, and how far rows of the mantle were found to be from where they should be (row S20).\n\n"
-            "radius is a number, or (n, 2): parameters of the curve, which increase, and radii there, between which it goes without\n"
-            "overshoot, times what x of the curve `scale` is at the parameters of the axis. caps: 'none', 'flat' or 'round', exact;\n"
-            "a closed curve has none. tolerance, a length: by default 2^-20 of the size of the curve.\n"
-            "InvalidShape if a radius is not above 0, and as sweep(); ToleranceNotReached.");
+            py::arg("scale") = py::none(), py::arg("cancel") = py::none());
 }
 
 }  // namespace
@@ -127,19 +112,7 @@ void bind_rails(py::module_& module) {
             }, py::arg("rail"), py::arg("sections"), py::kw_only(), py::arg("at") = py::none(), py::arg("frame") = "minimal",
             py::arg("up") = py::make_tuple(0.0, 0.0, 1.0), py::arg("start") = py::none(), py::arg("end_scale") = 1.0,
             py::arg("scales") = py::none(), py::arg("twist") = 0.0, py::arg("tolerance") = py::none(), py::arg("scale") = py::none(),
-            py::arg("cancel") = py::none(),
-            "The surface of a section that moves along a rail, curves of any kinds; of several sections at the parameters `at`\n"
-            "of the rail, by default even ones: (value, error), a NurbsPatch with u along the sections and v along the rail,\n"
-            "and how far rows of control points were found to be from where they should be (The NURBS Book, 10.4; row S20).\n\n"
-            "Sections are given in the frame of the rail: x along its normal, y along its binormal, z along its tangent. frame:\n"
-            "'minimal' turns about the rail no more than it must, x being `start` (3,) at first; of 'upright' y stays as near to\n"
-            "`up` (3,) as it can; 'parallel' does not turn. Sections grow up to end_scale, and turn by twist, in radians, evenly\n"
-            "by the length of the rail; scales (n, 2), parameters of the rail and factors, make them grow without overshoot,\n"
-            "and `scale`, a curve over the domain of the rail, by what its x is there. Exact if parallel or the rail is straight, otherwise within the tolerance, a length, by\n"
-            "default 2^-20 of the size of the rail. Corners between straight stretches are mitered.\n"
-            "InvalidShape if there is no section, `at` does not increase or leaves the rail, the rail runs along `up`, turns\n"
-            "back, or has a corner beside a curved stretch, or a scale has another domain, jumps or has a point that is not above\n"
-            "0; ToleranceNotReached.");
+            py::arg("cancel") = py::none());
   bind_two_rails(build);
   bind_pipe(build);
 }

@@ -125,30 +125,8 @@ RayHits found_on(const Target& target, const py::object& origins, const py::obje
 
 py::tuple forward() { return py::make_tuple(0.0, std::numeric_limits<double>::infinity()); }
 
-constexpr const char* kOfPatch =
-    "Where rays meet the patch, as RayHits: origins and directions (..., 3) broadcast.\n\n"
-    "hits='first' gives the first place of each ray, in arrays of the shape of the rays, nan where it misses; 'all'\n"
-    "gives every place, (n,), in the order of the rays and along each. limits is (start, end) in multiples of the\n"
-    "directions: (-inf, inf) looks at whole lines, and a ray that begins on the patch meets it there unless start is\n"
-    "larger. Borders, seams and poles count, once each; a patch that crosses itself is met on each of its sheets.\n\n"
-    "The boxes of Bernstein pieces leave few parts; on each the offsets from the ray are two polynomials, whose common\n"
-    "zeros are found by halving (Kajiya 1982; Nishita, Sederberg and Kakimoto 1990), so that none is lost and places are\n"
-    "right to a few roundings of the size. A ray that touches the patch, lies on it (along to until) or goes through a\n"
-    "pole is handed to patch_intersections(), which decides within its own tolerance. A ray has the same result in any\n"
-    "batch, on any number of threads. cancel is a callable that ends a long call by returning True. InvalidShape names a\n"
-    "ray that is not finite, has no direction, begins too far away, or cannot be told.";
-
-constexpr const char* kOfSet =
-    "Where rays meet the patches, as RayHits: like rays() of a patch, with the patch of each place.\n\n"
-    "Of patches that are met at one place the first one counts where hits='first'; all do where it is 'all'.";
-
 void bind_result(py::module_& module) {
-  Class<RayHits> cls(module, "RayHits", py::module_local(),
-                     "Places where rays meet a shape: (...,) of the first one of each ray, or (n,) of all.\n\n"
-                     "rays (...,) is the number of each place's ray; along (...,) tells where it is, origin + along *\n"
-                     "direction, and until (...,) where the ray ceases to lie on the shape: along, where it only meets\n"
-                     "it. patches (...,) is the patch of a set, -1 where a ray misses; parameters (..., 2) are u and v,\n"
-                     "points (..., 3) lie on the shape; touches (...,) is whether the ray does not go through there.");
+  Class<RayHits> cls(module, "RayHits", py::module_local());
   seal(cls);
   pickle_members(cls, &RayHits::rays, &RayHits::along, &RayHits::until, &RayHits::patches, &RayHits::parameters,
                   &RayHits::points, &RayHits::touches);
@@ -172,14 +150,14 @@ void bind_rays(py::module_& module) {
         return found_on(patch_form(self), origins, directions, hits, limits, threads, cancel);
       },
       py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = forward(),
-      py::arg("threads") = 0, py::arg("cancel") = py::none(), kOfPatch);
+      py::arg("threads") = 0, py::arg("cancel") = py::none());
   class_of<PatchSet>(module, "PatchSet").def(
       "rays", [](const PatchSet& self, const py::object& origins, const py::object& directions, const py::object& hits,
                  const py::object& limits, const py::object& threads, const py::object& cancel) {
         return found_on(self, origins, directions, hits, limits, threads, cancel);
       },
       py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = forward(),
-      py::arg("threads") = 0, py::arg("cancel") = py::none(), kOfSet);
+      py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

@@ -85,17 +85,7 @@ void bind_patch(const PatchClasses& cls) {
             const auto most = tolerance_of(tolerance);
             return unlocked([&] { return splinecore::sections(patch_form(self), with, most); }, cancel);
           },
-          py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none(),
-          "The curves along which the patch and another one, of any kind, cross or touch, as Sections: cubics within the\n"
-          "tolerance of both, and the points where they touch. tolerance is a length, by default 2^-20 of the size of\n"
-          "both. A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts that\n"
-          "are one there are the borders that are borders of one of the patches.\n\n"
-          "Pairs of Bernstein pieces on two trees of boxes are halved until their hulls are apart or their normals\n"
-          "differ, so that they meet in one line at most (Sinha, Klassen, Wang 1985; Sederberg and Meyers 1988), which\n"
-          "Newton's method follows; where they touch the second derivatives of their distance say along which way that\n"
-          "stays. Lecture row S18. cancel is a callable that ends a long call by returning True. InvalidShape if the\n"
-          "tolerance is below 0, or after 3 * 2^17 pairs of parts that are not apart, as where patches are nearly one, or\n"
-          "both run through infinity, or after 2^24 control points of such parts, as of wild patches of degrees above 25.");
+          py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
   cls.def("plane_sections", [](const AnyPatch& self, const py::object& origin, const py::object& normal,
                                const py::object& tolerance, const py::object& cancel) {
             const splinecore::Plane plane = splinecore::plane_across(vector_of(origin, "origin"), vector_of(normal, "normal"));
@@ -103,20 +93,11 @@ void bind_patch(const PatchClasses& cls) {
             return unlocked([&] { return splinecore::sections(patch_form(self), plane, most); }, cancel);
           },
           py::arg("origin"), py::arg("normal"), py::arg("tolerance") = py::none(), py::kw_only(),
-          py::arg("cancel") = py::none(),
-          "The same with the plane through a point (3,) at right angles to a vector (3,). Images on it are in its own\n"
-          "coordinates, with axes by the rule of DXF files: x and y where the normal is z.\n\n"
-          "InvalidShape as sections(), and if the normal is zero.");
+          py::arg("cancel") = py::none());
 }
 
 void bind_result(py::module_& module) {
-  Class<Sections> cls(module, "Sections", py::module_local(),
-                           "The n curves that two shapes have in common, and the m points where they touch beside them.\n\n"
-                           "curves is a tuple of n NurbsCurve; on_a and on_b are their images on the first and the second\n"
-                           "shape, points (u, v, 0) by the same parameter, over the seam of a closed patch beyond its domain;\n"
-                           "closed (n,), whether they end where they begin; kinds n of 'crossing', 'touching' and 'border', which is one\n"
-                           "of a part where both are one, as are_one says. points is (m, 3), parameters (m, 2, 2): u and v\n"
-                           "on the first shape, and on the second.");
+  Class<Sections> cls(module, "Sections", py::module_local());
   seal(cls);
   pickle_members(cls, &Sections::curves, &Sections::points, &Sections::are_one);
   cls.def_property_readonly("curves", [](const Sections& self) { return curves_of(self, &splinecore::SectionCurve::curve); });

@@ -47,16 +47,11 @@ ControlMesh mesh_of(const py::object& points, const py::object& faces) {
 }
 
 void bind_patches_of_subdivision(py::module_& module) {
-  Class<SubdivisionPatches> cls(module, "SubdivisionPatches", py::module_local(),
-                                     "Patches of the surface to which a mesh converges: patches, a tuple of NurbsPatch, one for each face of the mesh\n"
-                                     "that was subdivided `rounds` times, in its order.\n\n"
-                                     "irregular patches, beside extraordinary points, are not the surface itself; angle, in radians, is the largest\n"
-                                     "between tangent planes across a side of one of these.");
+  Class<SubdivisionPatches> cls(module, "SubdivisionPatches", py::module_local());
   seal(cls);
   pickle_members(cls, &SubdivisionPatches::patches, &SubdivisionPatches::rounds, &SubdivisionPatches::irregular,
                   &SubdivisionPatches::angle);
-  cls.def_property_readonly("patches", [](const SubdivisionPatches& self) { return py::tuple(py::cast(self.patches)); },
-                            "A tuple of NurbsPatch.");
+  cls.def_property_readonly("patches", [](const SubdivisionPatches& self) { return py::tuple(py::cast(self.patches)); });
   cls.def_readonly("rounds", &SubdivisionPatches::rounds);
   cls.def_readonly("irregular", &SubdivisionPatches::irregular);
   cls.def_readonly("angle", &SubdivisionPatches::angle);
@@ -74,17 +69,7 @@ void bind_subdivisions(py::module_& module) {
   build.def("catmull_clark", [](const py::object& points, const py::object& faces, const py::object& cancel) {
               const ControlMesh mesh = mesh_of(points, faces);
               return unlocked([&] { return splinecore::catmull_clark(mesh); }, cancel);
-            }, py::arg("points"), py::arg("faces"), py::kw_only(), py::arg("cancel") = py::none(),
-            "The surface of Catmull and Clark's scheme, whose corners are points (n, 3) and whose faces are lists of their numbers,\n"
-            "counterclockwise seen from outside: SubdivisionPatches (Catmull and Clark 1978; row S20).\n\n"
-            "The mesh is subdivided until all its faces have four sides and at most one extraordinary point, about which not four\n"
-            "faces meet. A face without one is a bicubic patch, exactly that of the surface. Those about an extraordinary point are\n"
-            "patches of degree 7 through its limit, with the normal of the surface there, that continue the curvatures round about,\n"
-            "and meet in common tangent planes. Where more than three faces meet on the border the scheme has no normal.\n"
-            "Of a point inside with two faces, where the scheme has no tangent plane, these become one after a round.\n"
-            "Edges that have one face converge to cubic splines, and corners of one face stay.\n"
-            "InvalidShape if there is no face, one has fewer than three corners or one twice, an edge has more than two faces, faces\n"
-            "beside each other are turned differently, or parts meet in a point alone.");
+            }, py::arg("points"), py::arg("faces"), py::kw_only(), py::arg("cancel") = py::none());
 }
 
 }  // namespace bindings

@@ -46,16 +46,7 @@ void bind_integrals(Owner cls) {
             const double most = real(tolerance, "tolerance");
             return unlocked([&] { return splinecore::flux(form_of(self), wanted, most).value; }, cancel);
           }, py::arg("field"), py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance,
-          py::arg("cancel") = py::none(),
-          "The flux of a field through the surface, a float: the integral of field · normal, positive where it flows to\n"
-          "the side of the normals, S_u x S_v of each patch. The surface may be open. Of a closed one with normals\n"
-          "outwards it is the integral of the divergence over the solid (Gauss).\n\n"
-          "field: takes points (n, 3) and gives vectors (n, 3); smooth, for it is asked at the nodes of adaptive rules\n"
-          "of Gauss and Kronrod, thousands at once. tolerance: the flux is off by at most so much of the integral of\n"
-          "|field · normal|, all that flows through to either side, or by rounding. cancel: a callable that ends the\n"
-          "call by returning true.\n\n"
-          "InvalidShape if values of the field have another shape or are not finite; PointAtInfinity;\n"
-          "ToleranceNotReached, as where the field jumps. Rows S19, S20.");
+          py::arg("cancel") = py::none());
   cls.def("surface_centroid", [](const Shaped& self, const py::object& tolerance, const py::object& cancel) {
             const double most = real(tolerance, "tolerance");
             const glm::dvec3 found =
@@ -63,11 +54,7 @@ void bind_integrals(Owner cls) {
             py::array_t<double> out(Shape{3});
             std::copy_n(&found.x, 3, out.mutable_data());
             return out;
-          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none(),
-          "The centroid of the surface itself, (3,), as of a thin shell, open or closed: off by at most the tolerance\n"
-          "times half the diagonal of the box of the points, or by rounding where that is more. By adaptive quadrature\n"
-          "of Gauss and Kronrod. cancel: a callable that ends the call by returning true.\n\n"
-          "InvalidShape if it has no area; PointAtInfinity; ToleranceNotReached. Rows S19, S20.");
+          }, py::kw_only(), py::arg("tolerance") = splinecore::kAreaTolerance, py::arg("cancel") = py::none());
 }
 
 }  // namespace

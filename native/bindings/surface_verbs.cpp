@@ -34,13 +34,7 @@ void bind_offset_patch(py::module_& build) {
               const std::optional<double> within = tolerance_of(tolerance);
               return wrap(unlocked([&] { return splinecore::offset(given, by, within); }, cancel));
             }, py::arg("patch"), py::arg("distance"), py::kw_only(), py::arg("tolerance") = py::none(),
-            py::arg("cancel") = py::none(),
-            "The patch a distance away along its normals, to the other side where that is below 0: (value, error), a NurbsPatch\n"
-            "and how far it was found to be from where it should be (Farin 2002, 8; row S20).\n\n"
-            "It has the weights of the patch: planes, cylinders, cones, spheres and tori come out exactly, but for rounding, others\n"
-            "within the tolerance, a length, by default 2^-20 of the size of the patch.\n"
-            "InvalidShape if the distance is not finite, the patch has a crease, a gap or no normal somewhere, or bends with a\n"
-            "radius that is not longer than the distance; ToleranceNotReached.");
+            py::arg("cancel") = py::none());
   build.def("thicken", [](const py::object& patch, const py::object& start, const py::object& end, const py::object& tolerance,
                           const py::object& cancel) {
               const auto given = any_patch(patch, "patch");
@@ -49,11 +43,7 @@ void bind_offset_patch(py::module_& build) {
               const std::optional<double> within = tolerance_of(tolerance);
               return wrap(unlocked([&] { return splinecore::thickened(given, from, to, within); }, cancel));
             }, py::arg("patch"), py::arg("start"), py::arg("end"), py::kw_only(), py::arg("tolerance") = py::none(),
-            py::arg("cancel") = py::none(),
-            "The closed set of the offsets of a patch by two distances, 0 being the patch itself, and the ruled surfaces between\n"
-            "their sides: (value, error), a list of NurbsPatch with normals outwards, and the larger error of both offsets.\n\n"
-            "Patches next to each other have the same control points along their common side. Sides that are points, or meet\n"
-            "another, have no surface between. Row S20. InvalidShape if both distances are equal, and as offset_patch().");
+            py::arg("cancel") = py::none());
 }
 
 void bind_extend_patch(py::module_& build) {
@@ -63,12 +53,7 @@ void bind_extend_patch(py::module_& build) {
               const double by = real(length, "length");
               const auto as = chosen<Extension>(how, "how", {{"natural", Extension::natural}, {"straight", Extension::straight}});
               return unlocked([&] { return splinecore::extended(given, at, by, as); });
-            }, py::arg("patch"), py::arg("side"), py::arg("length"), py::arg("how") = "natural",
-            "The patch made longer at a side by a length, on average along it: a NurbsPatch that keeps its parameters, the domain\n"
-            "grows. how is 'natural': each line continues by the polynomials of its last span (row S20); 'straight': along its\n"
-            "tangent.\n"
-            "InvalidShape if the length is not above 0, or 2^40 times longer or shorter than the patch, the direction is periodic, lines have a zero derivative at the side, or run to\n"
-            "infinity before that length.");
+            }, py::arg("patch"), py::arg("side"), py::arg("length"), py::arg("how") = "natural");
 }
 
 void bind_match(py::module_& build) {
@@ -87,22 +72,11 @@ void bind_match(py::module_& build) {
               return wrap(unlocked([&] { return splinecore::matched(moved, at, other, at_other, options); }, cancel));
             }, py::arg("patch"), py::arg("side"), py::arg("onto"), py::arg("onto_side"), py::arg("continuity") = "G1", py::kw_only(),
             py::arg("rows") = py::none(), py::arg("strength") = 1.0, py::arg("reversed") = py::none(),
-            py::arg("cancel") = py::none(),
-            "The patch whose side is that of another one, continuing it smoothly, 'G0' to 'G3': (value, error),\n"
-            "a NurbsPatch over the same domain, and the largest distance by which a point moved (Farin 2002; row S21).\n\n"
-            "The first rows of control points beside the side follow from the other patch's derivatives, at the speed with which they\n"
-            "move least times the strength, or at a lower one where weights would not stay positive, or points would lie off the\n"
-            "straight ways out by more than 1.5 times these; of `rows` that may move the others go with them evenly, and the rest stay\n"
-            "where they are. Without `reversed` the nearer ends say which way the sides run.\n"
-            "InvalidShape if rows are too few, a patch has a zero derivative across its side, or that is the seam of a periodic direction;\n"
-            "ToleranceNotReached where rounding leaves it off the tangent planes by more than 1e-4 radians, or off the curvatures by\n"
-            "more than a thousandth of the largest.");
+            py::arg("cancel") = py::none());
 }
 
 void bind_rounded_edge(py::module_& module) {
-  Class<RoundedEdge> cls(module, "RoundedEdge", py::module_local(),
-                              "What rounds the edge of two patches: first and second, NurbsPatch, are what is left of them, fillet the NurbsPatch\n"
-                              "between, and error, a length, is how far one of these was found to be from where it should be.");
+  Class<RoundedEdge> cls(module, "RoundedEdge", py::module_local());
   seal(cls);
   pickle_members(cls, &RoundedEdge::first, &RoundedEdge::fillet, &RoundedEdge::second, &RoundedEdge::error);
   cls.def_readonly("first", &RoundedEdge::first);
@@ -125,16 +99,7 @@ void bind_fillet_patches(py::module_& build) {
               const std::optional<double> within = tolerance_of(tolerance);
               return unlocked([&] { return splinecore::fillet(a, on_a, b, on_b, radii, within); }, cancel);
             }, py::arg("first"), py::arg("first_side"), py::arg("second"), py::arg("second_side"), py::arg("radius"), py::kw_only(),
-            py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
-            "The RoundedEdge of two patches that have a side in common, by a ball that rolls along it and touches both (Rossignac\n"
-            "and Requicha 1984; row S21).\n\n"
-            "radius is a number, or (n, 2): parameters of the first patch along the edge and radii there, between which it goes\n"
-            "without overshoot, and beyond which it is level. tolerance, a length: by default 2^-20 of the size. The three share\n"
-            "their sides: the same points on the same knots, for which patches gain some along the edge. Cross sections of the fillet\n"
-            "are arcs of circles where the ball touches both patches at the same parameter along the edge. Closed edges may begin\n"
-            "elsewhere, and run at other paces: each patch keeps its seam, but for one that closes to a point.\n"
-            "InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0 or too large;\n"
-            "ToleranceNotReached.");
+            py::arg("tolerance") = py::none(), py::arg("cancel") = py::none());
 }
 
 splinecore::PatchEdge edge_of(const py::object& value, std::size_t index) {
@@ -152,14 +117,7 @@ void bind_fillet_chain(py::module_& build) {
               const auto radii = radii_of(radius, "radius", {0.0, static_cast<double>(given.size())});
               const std::optional<double> within = tolerance_of(tolerance);
               return unlocked([&] { return splinecore::fillet_chain(given, radii, within); }, cancel);
-            }, py::arg("edges"), py::arg("radius"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("cancel") = py::none(),
-            "The RoundedEdge of each of several edges that follow each other, by one ball that rolls on from each to the next.\n\n"
-            "edges is a sequence of (patch, side, patch, side). First patches continue each other across the joints of the chain, and\n"
-            "so do the second ones; a chain that ends where it begins is rounded all around. Patches and fillets share their sides\n"
-            "along the chain and at its joints: the same points on the same knots. radius and tolerance are those of\n"
-            "fillet_patches(), but for places: k and a share of edge k.\n"
-            "InvalidShape if edges do not follow each other, meet in a corner, or patches do not continue each other;\n"
-            "ToleranceNotReached.");
+            }, py::arg("edges"), py::arg("radius"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("cancel") = py::none());
 }
 
 }  // namespace

@@ -109,11 +109,7 @@ bool fits(const Tessellation& self, const py::object& patch_set, const py::objec
 
 void bind_tessellation(py::module_& module) {
   Class<Tessellation> cls(
-      module, "Tessellation", py::module_local(),
-      "Tessellation(patch_set, resolution)\n\n"
-      "The mesh of a patch set, resolution (an int or a pair) faces in every span, everything but\n"
-      "positions: made once, evaluated for any position of the points. Vertices are shared along common\n"
-      "edges, a pole is one vertex, faces are wound along S_u x S_v. Lecture row S22.");
+      module, "Tessellation", py::module_local());
   seal(cls);
   cls.def(py::pickle(&state_of, &made_of_state));
   cls.def(py::init([](const py::object& patch_set, const py::object& resolution) {
@@ -133,36 +129,22 @@ void bind_tessellation(py::module_& module) {
                                                        real(smallest, "smallest")};
                    return unlocked([&] { return Tessellation::of(set, fineness, most); }, cancel);
                  }, py::arg("patch_set"), py::kw_only(), py::arg("tolerance") = py::none(), py::arg("angle") = py::none(),
-                 py::arg("smallest") = 0.0, py::arg("threads") = 0, py::arg("cancel") = py::none(),
-                 "As many faces as the shape asks for: no point of the surface farther from the mesh than tolerance (a\n"
-                 "length), normals on a face no more than angle (radians) apart; None for any. Flat parts get few faces.\n"
-                 "smallest: faces are not cut for the angle across a direction in which they are shorter than this length:\n"
-                 "beside poles, in folds and round sharp bends there would be very many.\n"
-                 "cancel: a callable, asked now and then, that returns true to end the call. threads: on how many, 0 for\n"
-                 "all cores where that is worth it; the mesh is the same.\n"
-                 "Crack-free wherever two sides are one curve, whatever their degrees and knots. Bounds of second\n"
-                 "derivatives after Filip, Magedson and Markot 1986. Lecture row S22.");
+                 py::arg("smallest") = 0.0, py::arg("threads") = 0, py::arg("cancel") = py::none());
   cls.def_property_readonly("vertex_count", [](const Tessellation& self) { return self.vertex_count(); });
   cls.def_property_readonly("face_starts", [](const py::object& self) {
     return view_of_numbers(py::cast<const Tessellation&>(self).face_starts(), self);
-  },
-                            "(f,) int32: where the corners of each face start, read-only.");
+  });
   cls.def_property_readonly("face_patches", [](const py::object& self) {
     return view_of_numbers(py::cast<const Tessellation&>(self).face_patches(), self);
-  },
-                            "(f,) int32: the patch of each face, read-only.");
+  });
   cls.def_property_readonly("corner_vertices", [](const py::object& self) {
     return view_of_numbers(py::cast<const Tessellation&>(self).corner_vertices(), self);
-  },
-                            "(c,) int32: the vertex of each corner, read-only.");
+  });
   cls.def_property_readonly("corner_uvs", [](const py::object& self) {
     const auto uvs = py::cast<const Tessellation&>(self).corner_uvs();
     return view_of_numbers(uvs, {static_cast<py::ssize_t>(uvs.size() / 2), 2}, self);
-  }, "(c, 2) float32: u, v of each corner, scaled to [0, 1], read-only.");
-  cls.def("fits", &fits, py::arg("patch_set"), py::arg("before") = py::none(),
-          "Whether the set has the same patches, and the same of its sides lie on one another, or are points.\n"
-          "before: a set that fits, with the same patches. Looked at is then only whether sides have come apart, or\n"
-          "points opened, that are not one by having the same rows of the pool: where those did not move it costs nothing.");
+  });
+  cls.def("fits", &fits, py::arg("patch_set"), py::arg("before") = py::none());
   cls.def("evaluate", [](const Tessellation& self, const py::object& patch_set) {
             const PatchSet& set = set_with_patches(self, patch_set);
             py::array_t<float> positions({static_cast<py::ssize_t>(self.vertex_count()), py::ssize_t{3}});
@@ -171,14 +153,9 @@ void bind_tessellation(py::module_& module) {
             const std::span to_normals(normals.mutable_data(), normals.size());
             unlocked([&] { self.evaluate(set, to_positions, to_normals); });
             return py::make_tuple(positions, normals);
-          }, py::arg("patch_set"),
-          "(positions (vertex_count, 3), corner normals (c, 3)), float32, of a set with the same patches. Whether\n"
-          "their sides lie on one another as they did is for fits() to say.");
+          }, py::arg("patch_set"));
   cls.def("evaluate_positions", &positions, py::arg("patch_set"), py::kw_only(), py::arg("before") = py::none(),
-          py::arg("out") = py::none(),
-          "The positions alone, (vertex_count, 3) float32: what a drag needs.\n"
-          "out: an array of that shape to write them into. before: the set whose positions out has; then only what\n"
-          "differs is computed, with the same result in every bit, and after an error out has the positions of neither.");
+          py::arg("out") = py::none());
   cls.def("sharp_edges", [](const Tessellation& self, const py::object& normals, const py::object& angle) {
             const py::array_t<float, py::array::c_style | py::array::forcecast> given(real_array(normals, "normals"));
             const auto corners = static_cast<py::ssize_t>(self.corner_vertices().size());
@@ -192,8 +169,7 @@ void bind_tessellation(py::module_& module) {
             py::array_t<std::int32_t> edges({static_cast<py::ssize_t>(pairs.size() / 2), py::ssize_t{2}});
             std::ranges::copy(pairs, edges.mutable_data());
             return edges;
-          }, py::arg("normals"), py::arg("angle"),
-          "(k, 2) int32: vertices of edges across which the corner normals differ by more than angle (radians).");
+          }, py::arg("normals"), py::arg("angle"));
 }
 
 }  // namespace bindings

@@ -56,7 +56,7 @@ void bind_value(Class<Shape>& cls) {
     if (shape == nullptr) throw splinecore::InvalidShape("the state is of another kind");
     return *shape;
   }));
-  cls.def("dumps", text_of, "JSON text that loads() reads back equal in every bit.");
+  cls.def("dumps", text_of);
 }
 
 }  // namespace bindings

@@ -10,90 +10,11 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "signatures.hpp"
 
 namespace bindings {
 
 namespace {
-
-struct Parameter {
-  std::string name;
-  std::string kind;    ///< the class it must be of; empty for any object
-  std::string preset;  ///< what it is unless given; empty if it must be given
-  bool is_by_name;     ///< only
-};
-
-/// A function as its callers see it, without self.
-struct Signature {
-  std::string name;
-  std::vector<Parameter> parameters;
-  bool takes_more = false;  ///< any number by place
-};
-
-/// The parts between commas outside brackets and quotes, up to the bracket that closes.
-std::vector<std::string> parts_of(std::string_view text) {
-  std::vector<std::string> parts(1);
-  int depth = 0;
-  char quote = 0;
-  for (const char letter : text) {
-    if (quote != 0) {
-      quote = letter == quote ? '\0' : quote;
-    } else if (letter == '\'' || letter == '"') {
-      quote = letter;
-    } else if (std::strchr("([{", letter) != nullptr) {
-      ++depth;
-    } else if (std::strchr(")]}", letter) != nullptr && depth-- == 0) {
-      break;
-    } else if (letter == ',' && depth == 0) {
-      parts.emplace_back();
-      continue;
-    }
-    if (letter != ' ' || quote != 0 || !parts.back().empty()) parts.back() += letter;
-  }
-  return parts;
-}
-
-/// "u: object" or "times: object = 1"
-Parameter parameter_of(const std::string& part, bool is_by_name) {
-  const std::size_t colon = part.find(':');
-  const std::size_t equals = part.find(" = ");
-  Parameter parameter{part.substr(0, colon), "", "", is_by_name};
-  if (equals != std::string::npos) parameter.preset = part.substr(equals + 3);
-  if (colon == std::string::npos) return parameter;
-  const std::string kind = part.substr(colon + 2, equals == std::string::npos ? equals : equals - colon - 2);
-  if (kind != "object") parameter.kind = kind.substr(kind.rfind('.') + 1);
-  return parameter;
-}
-
-/// From the first line that pybind11 writes into a documentation: "evaluate(self: …, u: object, *, …) -> …".
-Signature signature_of(const std::string& name, const std::string& documentation, bool has_self) {
-  Signature signature{name, {}};
-  const std::string line = documentation.substr(0, documentation.find('\n'));
-  bool is_by_name = false;
-  std::vector<std::string> parts = parts_of(std::string_view(line).substr(line.find('(') + 1));
-  if (has_self) parts.erase(parts.begin());
-  for (const std::string& part : parts) {
-    if (part.starts_with('*')) {
-      is_by_name = true;
-      signature.takes_more = signature.takes_more || part.size() > 1;
-    } else if (!part.empty() && part != "/") {
-      signature.parameters.push_back(parameter_of(part, is_by_name));
-    }
-  }
-  return signature;
-}
-
-/// "(u, times=1, *, side='right')"
-std::string list_of(const Signature& signature) {
-  std::string text;
-  bool is_by_name = false;
-  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  for (const Parameter& parameter : signature.parameters) {
-    if (parameter.is_by_name && !is_by_name) add(signature.takes_more ? "*values" : "*");
-    is_by_name = parameter.is_by_name;
-    add(parameter.name + (parameter.preset.empty() ? "" : "=" + parameter.preset));
-  }
-  return "(" + text + ")";
-}
 
 std::string given_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " is" : " are") + " given"; }
 
@@ -163,13 +84,6 @@ std::optional<py::dict> respelled(const Signature& signature, const py::kwargs& 
   return has_changed ? std::optional(arguments) : std::nullopt;
 }
 
-char* copy_of(const std::string& text) {
-  auto* copy = static_cast<char*>(std::malloc(text.size() + 1));
-  if (copy == nullptr) throw std::bad_alloc();
-  std::memcpy(copy, text.c_str(), text.size() + 1);
-  return copy;
-}
-
 enum class Form { function, method, constructor };
 
 /// Adds what is called when the function's own arguments do not fit. Its documentation stays as it was.
@@ -200,8 +114,7 @@ void explain(const py::object& scope, const std::string& name, const py::handle&
       py::cpp_function(call, py::name(name.c_str()), py::scope(scope), before);
     }
   }
-  std::free(const_cast<char*>(definition->ml_doc));  // pybind11 has allocated it, and frees the new one
-  definition->ml_doc = copy_of(documentation);
+  replace_documentation(*definition, documentation);
 }
 
 /// Operators are left as they are: what does not fit them is NotImplemented.

@@ -7,9 +7,10 @@ import shutil
 import sys
 from pathlib import Path
 
+import sources
 from targets import PYTHONS, TARGETS
 from tools import HERE, PROJECT, run
-from wheels import BINDINGS, NATIVE, version
+from wheels import BINDINGS, version
 
 #: Blender's own tool for extensions, in the official builds of PyPI.
 EXTENSION_TOOL = "lib/python3.11/site-packages/bpy/*/scripts/addons_core/bl_pkg/cli/blender_ext.py"
@@ -62,20 +63,11 @@ def _legacy_modules(release):
     return folder
 
 
-def _not_given(folder, names):
-    """What is no source; below `native` itself rooms have such names, too."""
-    return {"__pycache__", *(("build", "release") if Path(folder) == NATIVE else ())} & set(names)
-
-
 def _sources(release):
     """The source archive with its licence, from which pip builds a module that works."""
-    folder, trial = release.build / "sources", release.build / "from-sources"
-    for old in (folder, trial):
-        shutil.rmtree(old, ignore_errors=True)
-    shutil.copytree(NATIVE, folder, ignore=_not_given)
-    shutil.copy(PROJECT / "LICENSE", folder)
-    run(release.tools.python, "-m", "build", "--sdist", folder, "--outdir", release.dist, capture_output=True)
-    archive = release.dist / f"splinecore-{version()}.tar.gz"
+    trial = release.build / "from-sources"
+    shutil.rmtree(trial, ignore_errors=True)
+    archive = sources.write(release.tools.python, release.build / "sources", release.dist)
     run(release.tools.python, "-m", "pip", "install", "-q", "--disable-pip-version-check", "--target", trial, archive, "numpy",
         env=os.environ | {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"})
     run(release.tools.python, "-m", "splinecore", "--version", env=os.environ | {"PYTHONPATH": str(trial)})

@@ -23,10 +23,15 @@ def project(field):
     return tomllib.loads((NATIVE / "pyproject.toml").read_text())["project"][field]
 
 
+def licenses():
+    """The texts that a wheel has: of the library, and of what is compiled into it."""
+    return [NATIVE.parent / "LICENSE", *sorted((NATIVE / "licenses").iterdir())]
+
+
 def metadata():
     """The text of METADATA, from pyproject.toml."""
     lines = ["Metadata-Version: 2.4", "Name: splinecore", f"Version: {version()}", f"Summary: {project('description')}",
-             f"License-Expression: {project('license')}", "License-File: LICENSE",
+             f"License-Expression: {project('license')}", *[f"License-File: {text.name}" for text in licenses()],
              f"Requires-Python: {project('requires-python')}",
              *[f"Requires-Dist: {needed}" for needed in project("dependencies")],
              *[f"Classifier: {entry}" for entry in project("classifiers")]]
@@ -46,7 +51,8 @@ def write(tools, target, python, module, dist):
     (info / "licenses").mkdir(parents=True)
     for file in (*sorted(BINDINGS.glob("*.py*")), BINDINGS / "py.typed", module):
         shutil.copy(file, package)
-    shutil.copy(NATIVE.parent / "LICENSE", info / "licenses")
+    for text in licenses():
+        shutil.copy(text, info / "licenses")
     (info / "METADATA").write_text(metadata())
     (info / "WHEEL").write_text(f"Wheel-Version: 1.0\nGenerator: splinecore {version()}\nRoot-Is-Purelib: false\n"
                                 f"Tag: {tag}-{tag}-{target.wheel}\n")

@@ -7,7 +7,7 @@ from animated import animate, curves_of, in_scene
 from shapes import activate, add, enter, op
 from support import part
 
-point_keys, store = part('bridge.point_keys'), part('bridge.store')
+point_keys, store = part('bridge.keys.point_keys'), part('bridge.data.store')
 key, clear = bpy.ops.splinewright.key_points, bpy.ops.splinewright.clear_point_keys
 
 
@@ -39,7 +39,7 @@ def put(ob, rows, step):
     definition = store.read(ob.data)
     moved = definition.pool.copy()
     moved[rows, :len(step)] += step
-    part('bridge.shape').set_definition(ob.data, part('core.definition').Definition(
+    part('bridge.shape.shape').set_definition(ob.data, part('core.shape.definition').Definition(
         definition.form, moved, definition.pieces))
     bpy.context.view_layer.update()
 
@@ -74,7 +74,7 @@ def drive(ob, row, name, index):
 
 def keys(ob):
     """How many there are on all channels."""
-    curves = list(part('bridge.animation').curves(ob.data))
+    curves = list(part('bridge.data.animation').curves(ob.data))
     return sum(len(curve.keyframe_points) for curve in curves)
 
 
@@ -108,6 +108,6 @@ def edited(ob):
 def net_places(held):
     """Where the net has its points now, in Blender."""
     session = part('bridge.net.live').session(held.data)
-    present = part('bridge.net.net_object').present(held, session.net)
+    present = part('bridge.cage.net_object').present(held, session.net)
     slots = part('core.net.reading').slots(session.net, present)
     return present.positions()[slots]

@@ -21,7 +21,7 @@ from shapes import add, enter
 from support import part, splinecore as sc
 
 fineness, handlers, live, native, shape = (part(name) for name in (
-    'bridge.fineness', 'ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape'))
+    'bridge.data.tessellate', 'ui.handlers', 'bridge.net.live', 'core.native.native', 'bridge.shape.shape'))
 
 COUNT = 32
 #: Points in a row of a large net, which is to be dragged at ten frames a second.
@@ -207,7 +207,7 @@ def drag(set_fineness, count=40, points=COUNT):
     set_fineness(ob.data)
     held = enter()
     found = *steps_of(held, count), *steps_of(held, count, bare(held, ob.data))
-    settled = once(lambda: live.settle(ob.data))
+    settled = once(lambda: live.finalize(ob.data))
     bpy.ops.splinewright.leave_net()
     return len(ob.data.vertices), *found, settled
 
@@ -294,7 +294,7 @@ def choose_one():
 def make_plain(blocks):
     """Take all that is ours away from data-blocks: they are meshes as others."""
     for data in blocks:
-        part('bridge.store').remove(data)
+        part('bridge.data.store').remove(data)
         for name in [layer.name for layer in data.attributes if layer.name in _OURS]:
             data.attributes.remove(data.attributes[name])
 

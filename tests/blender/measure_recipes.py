@@ -21,7 +21,7 @@ from shapes import VALUES, activate, add
 from support import part, splinecore as sc
 
 follow, handlers, late, sections_overlay, axis_overlay, state, table = (part(name) for name in (
-    'bridge.follow', 'ui.handlers', 'bridge.late', 'ui.sections_overlay', 'ui.axis_overlay', 'bridge.file_state', 'core.recipes.table'))
+    'bridge.follow.follow', 'ui.handlers', 'bridge.recipes.late', 'ui.sections_overlay', 'ui.axis_overlay', 'bridge.data.file_state', 'core.recipes.table'))
 #: Automatic faces, as operators begin with.
 FINENESS = (12, 12, 'AUTOMATIC')
 #: What a mouse step and a redraw of ours may take.
@@ -100,7 +100,7 @@ def lifted(ob):
 
 def edited(ob, axis=2):
     """What gives a shape another definition, as its net does at each step of a drag."""
-    shape = part('bridge.shape')
+    shape = part('bridge.shape.shape')
 
     def step():
         definition = shape.store.read(ob.data)
@@ -220,7 +220,7 @@ def recipes():
         empty()
         ob, step = begin()
         times = steps_of(step)
-        problem = part('bridge.problems').of(ob.data, 'following')
+        problem = part('bridge.data.problems').of(ob.data, 'following')
         row(what + (f" ({problem})" if problem else ""), times, None)
         own, handlers._budget = handlers._budget, lambda caller: late.Budget()
         row("    in a drag", steps_of(step), STEP)

@@ -6,7 +6,7 @@ import numpy as np
 from support import curve_points, part, splinecore as sc, vertices
 
 live, selection, recipes, shape, starters, form_verbs, knot_verbs, on_shapes = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'core.starters', 'ui.operators.form_verbs',
+    'bridge.net.live', 'bridge.net.selection', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.shape.starters', 'ui.operators.form_verbs',
     'ui.operators.knot_verbs', 'ui.operators.on_shapes'))
 
 RANDOM = np.random.default_rng(12)

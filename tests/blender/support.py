@@ -21,7 +21,7 @@ def part(name):
     return importlib.import_module(f"{ADDON}.{name}")
 
 
-splinecore = part('core.library').sc
+splinecore = part('core.base.library').sc
 
 
 def vertices(mesh):

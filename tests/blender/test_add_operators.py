@@ -32,7 +32,7 @@ def test_a_curve_operator_makes_a_curve_object_of_exact_points(name, kind):
     value = ob.data.splinewright.value
     assert ob.type == 'CURVE' and ob.select_get() and isinstance(value, kind)
     assert ob.data.splinewright.mode == 'AUTOMATIC'
-    (points, closed), = value.polylines(part('bridge.fineness').steps_of(ob.data, value))
+    (points, closed), = value.polylines(part('bridge.data.tessellate').steps_of(ob.data, value))
     spline, = ob.data.splines
     assert spline.type == 'POLY' and spline.use_cyclic_u == closed
     assert np.array_equal(curve_points(spline), points.astype(np.float32))
@@ -51,7 +51,7 @@ def test_a_patch_operator_makes_a_smooth_mesh_with_uvs_and_exact_normals(name, k
     assert all(polygon.use_smooth for polygon in mesh.polygons)
     uvs = np.array([item.uv for item in mesh.uv_layers.active.data])
     assert np.array_equal(uvs.astype(np.float32), plan.corner_uvs)
-    tolerance = 1e-6 if part('bridge.versions').keeps_exact_normals else 1e-3
+    tolerance = 1e-6 if part('bridge.data.versions').keeps_exact_normals else 1e-3
     assert np.abs(corner_normals(mesh) - normals).max() < tolerance
     assert not mesh.validate()
 

@@ -18,7 +18,7 @@ from support import part, splinecore as sc
 
 native = part('core.native.native')
 ALL_FLAGS, Direction, Flags = native.ALL_FLAGS, native.Direction, native.Flags
-SAMPLING = part('bridge.versions').sampling
+SAMPLING = part('bridge.data.versions').sampling
 CURVE_TOLERANCE = 2e-5
 SURFACE_TOLERANCE = 1e-4
 DEGREES = range(1, 8)

@@ -8,7 +8,7 @@ from shapes import activate, add, enter, op, require_exact
 from support import part, scene_state
 
 editing, live, net_object, selection = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.net.selection'))
 
 
 def two_nets(first, second):
@@ -28,7 +28,7 @@ def select_in_each(row):
 
 
 def refuse(*_):
-    raise part('core.failures').Refusal("there is no room")
+    raise part('core.base.failures').Refusal("there is no room")
 
 
 def values(obs):
@@ -91,7 +91,7 @@ def test_a_net_that_does_not_come_out_again_is_told_and_the_change_is_an_undo_st
 def test_a_net_that_cannot_be_made_leaves_nothing_behind(monkeypatch):
     op(bpy.ops.splinewright.add_catmull_rom)
     ob, before = bpy.context.object, scene_state()
-    monkeypatch.setattr(part('bridge.remaking'), 'is_closed', refuse)
+    monkeypatch.setattr(part('bridge.shape.recipe_edit'), 'is_closed', refuse)
     with pytest.raises(RuntimeError, match="there is no room"):
         op(bpy.ops.splinewright.edit_net)
     assert scene_state() == before and bpy.context.object == ob and bpy.context.mode == 'OBJECT'
@@ -103,7 +103,7 @@ def test_of_two_nets_of_which_one_cannot_be_made_neither_comes(monkeypatch):
     bad = bpy.context.object
     activate(good, bad)
     before = scene_state()
-    monkeypatch.setattr(part('bridge.remaking'), 'is_closed', refuse)
+    monkeypatch.setattr(part('bridge.shape.recipe_edit'), 'is_closed', refuse)
     with pytest.raises(RuntimeError, match="there is no room"):
         op(bpy.ops.splinewright.edit_net)
     assert scene_state() == before and bpy.context.mode == 'OBJECT'
@@ -114,7 +114,7 @@ def test_what_was_done_before_a_mistake_of_ours_can_be_undone(monkeypatch):
     obs = [add(value_of('cubic'), name) for name in ("first", "second")]
     before = values(obs)
     activate(*obs)
-    replacing, calls = part('bridge.replacing'), []
+    replacing, calls = part('bridge.edit.replace_pieces'), []
     work = replacing.do
 
     def broken(*given):

@@ -13,7 +13,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 from test_handle_types import bezier, choose
 
-curve_layers, live, store = (part(f'bridge.{name}') for name in ('curve_layers', 'net.live', 'store'))
+curve_layers, live, store = (part(f'bridge.{name}') for name in ('curve.curve_layers', 'net.live', 'data.store'))
 AUTO = [('AUTO', 'AUTO')]
 
 
@@ -159,7 +159,7 @@ def test_a_refinement_leaves_it_where_it_is(name, settings):
 
 def curve_of_values(ob):
     """(parts of the domain, radius and tilt there)."""
-    lines = part('bridge.curve_pieces').shown_of(ob.data, store.read(ob.data))
+    lines = part('bridge.shape.curve_pieces').shown_of(ob.data, store.read(ob.data))
     return lines[0][0].at, values(ob)[0]
 
 
@@ -262,7 +262,7 @@ def test_it_is_offered_where_it_can_be_done():
 @pytest.mark.parametrize('damaged', ("x", -3, 2.5, {}))
 def test_a_damaged_number_is_passed_over(damaged):
     add(value_of('hermite'))
-    shape().data[part('bridge.curve_layers')._NUMBER] = damaged
+    shape().data[part('bridge.curve.curve_layers')._NUMBER] = damaged
     held = enter()
     choose(held, 1)
     changed(2.0)

@@ -16,7 +16,7 @@ from shapes import activate, add, op, require_exact, shown
 from support import corner_normals, part
 
 baking, follow, recipes, shape, starters, store = (part(name) for name in (
-    'bridge.baking', 'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.starters', 'bridge.store'))
+    'bridge.edit.baking', 'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.shape.starters', 'bridge.data.store'))
 bake = bpy.ops.splinewright.bake_animation
 FIRST, LAST = 3, 9
 
@@ -388,7 +388,7 @@ def test_baked_shapes_cost_nothing_and_say_nothing_at_frame_changes(monkeypatch)
     ob = curve()
     bake_it(ob)
     results = []
-    monkeypatch.setattr(part('bridge.derived'), 'result', lambda *_: results.append(1))
+    monkeypatch.setattr(part('bridge.follow.recipe_results'), 'result', lambda *_: results.append(1))
     for frame in (3, 5, 8):
         bpy.context.scene.frame_set(frame)
     assert not results

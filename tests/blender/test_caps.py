@@ -10,7 +10,7 @@ import pytest
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-follow, recipes = (part(name) for name in ('bridge.follow', 'bridge.recipes'))
+follow, recipes = (part(name) for name in ('bridge.follow.follow', 'bridge.recipes.recipes'))
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 

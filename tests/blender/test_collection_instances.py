@@ -9,7 +9,7 @@ from shapes import activate, add, enter, leave, op
 from support import part, splinecore as sc
 from test_files import reopen, save
 
-follow, images, overlay = (part(name) for name in ('bridge.follow', 'bridge.images', 'ui.sights_overlay'))
+follow, images, overlay = (part(name) for name in ('bridge.follow.follow', 'bridge.shape.images', 'ui.analysis_overlay'))
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 

@@ -13,7 +13,7 @@ from shapes import activate, add, enter, leave, move, op, select
 from support import part, splinecore as sc
 
 continuity, panel, store, surveys = (part(name) for name in (
-    'core.continuity', 'ui.continuity_panel', 'bridge.store', 'bridge.surveys'))
+    'core.joints.continuity', 'ui.continuity_panel', 'bridge.data.store', 'bridge.analysis.surveys'))
 
 
 class Layout:
@@ -166,7 +166,7 @@ def test_it_is_worked_out_when_the_definition_changes_and_not_at_every_redraw(mo
     for i in range(20):
         add(sc.BezierCurve([(i, 0), (i, 1)]))
         drawn()
-    assert len(part('bridge.file_state').state.surveys) <= 8
+    assert len(part('bridge.data.file_state').state.surveys) <= 8
 
 
 def test_while_a_net_is_edited_the_joints_are_those_of_the_shape_as_it_is():
@@ -188,7 +188,7 @@ def test_while_a_net_is_edited_the_joints_are_those_of_the_shape_as_it_is():
 def test_a_net_that_cannot_be_shown_is_said_to_show_an_earlier_state():
     op(bpy.ops.splinewright.add_five_points)
     ob = bpy.context.object
-    start = part('bridge.recipes').points(ob.data)
+    start = part('bridge.recipes.recipes').points(ob.data)
     held = enter()
     select(held, 1)
     move(*(start[0] - start[1]))

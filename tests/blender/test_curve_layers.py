@@ -10,7 +10,7 @@ from natives import drawn, exact, native, native_curve
 from shapes import activate, add, curve_points, enter, leave, move, op, require_exact, select
 from support import part
 
-curve_layers, curve_pieces, store = (part(f'bridge.{name}') for name in ('curve_layers', 'curve_pieces', 'store'))
+curve_layers, curve_pieces, store = (part(f'bridge.{name}') for name in ('curve.curve_layers', 'shape.curve_pieces', 'data.store'))
 NAMES = ('radius', 'tilt', 'weight_softbody')
 KINDS = ('cubic', 'rational cubic', 'hermite', 'closed hermite', 'nurbs', 'periodic', 'many curves', 'circle', 'uniform')
 

@@ -7,7 +7,7 @@ from curves import run, value_of, value_of_patch
 from shapes import OF_CURVES, OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
 from support import part
 
-store = part('bridge.store')
+store = part('bridge.data.store')
 
 
 def state(ob):

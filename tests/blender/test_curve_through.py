@@ -13,7 +13,7 @@ from shapes import activate, enter, op, require_exact, shown
 from support import part, splinecore as sc
 
 
-follow, recipes, remaking, store = (part(f'bridge.{name}') for name in ('follow', 'recipes', 'remaking', 'store'))
+follow, recipes, remaking, store = (part(f'bridge.{name}') for name in ('follow.follow', 'recipes.recipes', 'shape.recipe_edit', 'data.store'))
 
 PLACES = np.array([(0, 0, 0), (1, 2, 0), (3, 1, 1), (4, -1, 0.5), (6, 0, -1)], dtype=np.float64)
 
@@ -258,5 +258,5 @@ def test_progress_is_shown_while_curves_are_made(monkeypatch):
     monkeypatch.setattr(part('ui.operators.from_points').progress, 'shown', shown_here)
     grease_pencil(PLACES, PLACES + 5, PLACES - 5)
     run()
-    steps = part('bridge.shape').STEPS
+    steps = part('bridge.shape.shape').STEPS
     assert told == [(step, 3 * steps) for step in range(1, 3 * steps + 1)]

@@ -11,7 +11,7 @@ from shapes import activate, add, points, shown
 from support import part, splinecore as sc
 
 editing, follow, handlers, live, recipes, store = (part(name) for name in (
-    'ui.editing', 'bridge.follow', 'ui.handlers', 'bridge.net.live', 'bridge.recipes', 'bridge.store'))
+    'ui.editing', 'bridge.follow.follow', 'ui.handlers', 'bridge.net.live', 'bridge.recipes.recipes', 'bridge.data.store'))
 
 SHAPES = {
     'curve': lambda: sc.NurbsCurve(3, [0, 0, 0, 0, 0.5, 1, 1, 1, 1], points(5)),
@@ -196,7 +196,7 @@ def test_reading_every_property_leaves_what_is_stored(witness):
 
 
 def test_no_stored_key_has_the_name_of_a_property():
-    keys = {store.KEY, recipes.KEY, part('bridge.net.net_object').KEY, part('bridge.net.net_object').EDITED_BY}
+    keys = {store.KEY, recipes.KEY, part('bridge.cage.net_object').KEY, part('bridge.cage.net_object').EDITED_BY}
     for owner in (bpy.types.Mesh, bpy.types.Curve, bpy.types.Object):
         assert not keys & set(owner.bl_rna.properties.keys())
 

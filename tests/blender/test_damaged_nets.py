@@ -12,8 +12,8 @@ from test_damaged import VALUES as DAMAGES
 from test_damaged import definition_damages, operators, put, require_following, stored, witness      # noqa: F401
 
 editing, file_state, handlers, live, messages, net_object, saving, store = (part(name) for name in (
-    'ui.editing', 'bridge.file_state', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.net.net_object', 'ui.saving',
-    'bridge.store'))
+    'ui.editing', 'bridge.data.file_state', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.cage.net_object', 'ui.saving',
+    'bridge.data.store'))
 KINDS = ('nurbs patch', 'hermite patch', 'nurbs', 'hermite')
 
 
@@ -39,8 +39,9 @@ def net_damages(held):
 def use(held, step):
     """Everything that looks at a net of its own accord, and a user who moves and reads its points. What is said of it."""
     file_state.forget()
+    part('ui.ui_state').forget()
     handlers.loaded()
-    said = drawn() + " ".join(sentence for sentence, _ in messages.said(bpy.context.view_layer))
+    said = drawn() + " ".join(sentence for sentence, _ in messages.sentence(bpy.context.view_layer))
     held.data.update_tag()
     bpy.context.view_layer.update()
     held.data.splinewright_points.numbers = list(held.data.splinewright_points.numbers)
@@ -50,7 +51,7 @@ def use(held, step):
     handlers.undone()
     handlers.frame_changed(bpy.context.scene, bpy.context.evaluated_depsgraph_get())
     editing.sweep()
-    editing.settle()
+    editing.finalize()
     editing.hand_over_now()
     live.unread(held)
     if step % 20 == 0:
@@ -119,12 +120,13 @@ def test_a_net_that_is_damaged_is_said_kept_and_left_only_by_leaving(name):
     held = enter()
     group(held)['token'] = 7
     file_state.forget()
+    part('ui.ui_state').forget()
     handlers.loaded()
     assert "damaged" in live.problem(held) and "damaged" in editing.unread([held])
-    assert "damaged" in messages.said(bpy.context.view_layer)[0][0]
+    assert "damaged" in messages.sentence(bpy.context.view_layer)[0][0]
     bpy.ops.object.mode_set(mode='OBJECT')
     editing.sweep()
-    assert bpy.data.objects.get(held.name) == held and "damaged" in messages.said(bpy.context.view_layer)[0][0]
+    assert bpy.data.objects.get(held.name) == held and "damaged" in messages.sentence(bpy.context.view_layer)[0][0]
     bpy.ops.object.mode_set(mode='EDIT')
     assert bpy.ops.splinewright.leave_net('EXEC_DEFAULT', True) == {'FINISHED'}
     assert [one.name for one in bpy.data.objects] == ["shape"] and ob.data.splinewright.value == value

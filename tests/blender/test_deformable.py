@@ -10,7 +10,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 from test_surfaces import add_recipe
 
-overlay, recipes, surveys = part('ui.seams_overlay'), part('bridge.recipes'), part('bridge.surveys')
+overlay, recipes, surveys = part('ui.seams_overlay'), part('bridge.recipes.recipes'), part('bridge.analysis.surveys')
 
 
 def vase(**settings):

@@ -12,19 +12,19 @@ from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
-deviations, file_state, handlers, lengths, measures, paint, panel, seen, targets = (part(name) for name in (
-    'bridge.deviations', 'bridge.file_state', 'ui.handlers', 'core.lengths', 'core.sights.deviations', 'ui.deviation_paint',
-    'ui.sights_panel', 'bridge.sights', 'bridge.deviation_targets'))
+deviations, file_state, handlers, lengths, measures, paint, panel, targets = (part(name) for name in (
+    'bridge.analysis.deviations', 'bridge.data.file_state', 'ui.handlers', 'core.base.length_units', 'core.analysis.deviations', 'ui.deviation_paint',
+    'ui.analysis_panel', 'bridge.analysis.deviation_targets'))
 TURNED = Matrix.Translation((3, -2, 0.5)) @ Euler((0.4, 1.1, -0.3)).to_matrix().to_4x4()
 
 
 @pytest.fixture
 def chosen():
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     found.deviation = True
     yield found
     for name in ('deviation', 'deviation_object', 'deviation_range'):
-        seen.of(bpy.context.scene).property_unset(name)
+        bpy.context.scene.splinewright_sights.property_unset(name)
     file_state.state.targets.clear()
 
 
@@ -312,11 +312,11 @@ def test_what_is_missing_empty_gone_itself_or_elsewhere_is_said(chosen):
 
 def test_a_damaged_or_flat_one_breaks_nothing(chosen):
     other, ob = add(VALUES['bezier patch'](), "other"), add(VALUES['nurbs patch']())
-    other.data[part('bridge.store').KEY]['structure'] = "no"
+    other.data[part('bridge.data.store').KEY]['structure'] = "no"
     chosen.deviation_object = other
     assert deviations.problem(bpy.context.scene, [ob])
     good = plane()
-    ob.data[part('bridge.store').KEY]['structure'] = "no"
+    ob.data[part('bridge.data.store').KEY]['structure'] = "no"
     assert deviations.of(ob, targets.of(good), True)[0] is None and in_the_end(ob, targets.of(good)) == (None, 1)
     flat = add(sphere(), "flat")
     flat.scale = (0, 0, 0)
@@ -343,7 +343,7 @@ def test_the_object_and_the_range_are_kept_with_the_file(chosen, tmp_path):
     path = str(tmp_path / "kept.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
     bpy.ops.wm.open_mainfile(filepath=path)
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     assert found.deviation and found.deviation_object == bpy.data.objects["mesh"] and found.deviation_range == 0.25
     assert measured(bpy.data.objects["shape"], found.deviation_object).largest > 0
 
@@ -359,7 +359,7 @@ def test_the_legend_says_largest_and_mean_in_units_of_the_scene(chosen, monkeypa
     drawn = []
     monkeypatch.setattr(paint.legend, 'draw', lambda context, head, numbers, colors, notes: drawn.append((head, numbers, notes)))
     monkeypatch.setattr(paint.timers, 'later', lambda *_: None)
-    file_state.state.is_still = True
+    part('ui.ui_state').ui_state.is_still = True
     paint.draw_legend(bpy.context, chosen, [ob])
     (head, numbers, notes), = drawn
     assert head[:2] == ["Distance to", "mesh"] and numbers == ["0 mm", "0.5 mm", "1 mm", "1.5 mm", "2 mm"]

@@ -9,7 +9,7 @@ from curves import value_of
 from shapes import activate, add, op
 from support import part, splinecore as sc
 
-dividing = part('core.dividing')
+dividing = part('core.verbs.dividing')
 
 
 def run(**settings):

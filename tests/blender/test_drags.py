@@ -8,8 +8,8 @@ from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc, vertices
 
 fineness, live, net_object, recipes, shape, store, versions = (part(name) for name in (
-    'bridge.fineness', 'bridge.net.live', 'bridge.net.net_object', 'bridge.recipes', 'bridge.shape', 'bridge.store',
-    'bridge.versions'))
+    'bridge.data.tessellate', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store',
+    'bridge.data.versions'))
 
 
 @pytest.mark.parametrize('name', ('nurbs patch', 'teapot', 'mixed set', 'ferguson', 'patch with a point at infinity'))
@@ -26,7 +26,7 @@ def test_every_step_shows_what_an_evaluation_from_nothing_shows(name):
             ob, held = bpy.data.objects["shape"], bpy.context.object
             require_exact(ob)
         if step == 6:
-            live.settle(ob.data)
+            live.finalize(ob.data)
             require_exact(ob)
     leave()
     require_exact(ob)
@@ -55,7 +55,7 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     held = enter()
     select(held, 40)
     writes = []
-    monkeypatch.setattr(part('bridge.write_mesh'), 'write', lambda *arguments: writes.append(arguments))
+    monkeypatch.setattr(part('bridge.mesh.write_mesh'), 'write', lambda *arguments: writes.append(arguments))
     move(0, 0, 0.1)                     # makes them known
     assert not writes
     calls = built(monkeypatch)
@@ -65,7 +65,7 @@ def test_a_drag_and_its_end_build_no_faces_once_they_are_known(monkeypatch):
     assert not writes and not calls and store.is_draft(ob.data)
     monkeypatch.undo()
     calls = built(monkeypatch)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert not calls
     leave()
 
@@ -85,7 +85,7 @@ def test_sides_that_come_apart_show_it_at_that_move_and_are_one_again_when_they_
     assert len(calls) == 1 and len(ob.data.vertices) > joined
     require_exact(ob)
     move(0, 0, -0.5)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert len(ob.data.vertices) == joined
     leave()
     require_exact(ob)
@@ -107,7 +107,7 @@ def test_a_shape_that_is_dragged_among_many_is_the_only_one_that_is_read(monkeyp
         monkeypatch.setattr(store, name, noted)
     monkeypatch.setattr(part('ui.editing'), 'block_of', None)       # which Blender looks through all objects for
     move(0, 0, 0.1)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert seen <= {ob.data.name, held.data.name} and ob.data.name in seen
     monkeypatch.undo()
     leave()
@@ -163,7 +163,7 @@ def test_what_was_chosen_is_chosen_again_after_a_drag_unless_another_was_chosen_
     assert 'custom_normal' not in ob.data.attributes
     bpy.ops.ed.undo()
     ob, held = bpy.data.objects["shape"], bpy.context.object
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert ob.data.attributes.active.name == name and set(ob.data.keys()) == keys
     move(0, 0, 0.1)
     ob.data.attributes.active = ob.data.attributes["parameters"]
@@ -201,13 +201,13 @@ def test_the_end_of_a_gesture_reads_the_faces_of_a_mesh_once_and_says_how_far_it
     select(held, 4)
     move(0, 0, 0.1)
     move(0, 0, 0.1)
-    reads, steps, mesh_layers = [], [], part('bridge.mesh_layers')
+    reads, steps, mesh_layers = [], [], part('bridge.mesh.mesh_layers')
 
     def read(mesh, work=mesh_layers.corner_vertices):
         reads.append(mesh.name)
         return work(mesh)
     monkeypatch.setattr(mesh_layers, 'corner_vertices', read)
-    live.settle(ob.data, steps.append)
+    live.finalize(ob.data, steps.append)
     assert len(reads) == 1 and steps == [1, 2]
     monkeypatch.undo()
     assert not shape.is_touched(ob.data)

@@ -58,7 +58,7 @@ def test_one_undo_takes_it_back():
 
 # Contours -------------------------------------------------------------------------------------------------------------
 
-contours, guides, marks = part('core.contours'), part('core.guides'), part('core.marks')
+contours, guides, marks = part('core.drawing.contours'), part('core.drawing.guides'), part('core.drawing.snap_marks')
 
 
 def polar(length, degrees):
@@ -75,10 +75,10 @@ def test_the_corner_radius_of_a_drawn_contour_stays_in_its_panel(kinds, closing)
         ob.data.splinewright_parameters.contour_corner_size = radius
         made, wanted = value(ob), contours.curve_of(drawn, radius)
         assert made.length() == pytest.approx(wanted.length(), rel=1e-9)
-        assert part('bridge.recipes').parameters(ob.data)['arcs'] == ", ".join(map(str, drawn.sides()))
+        assert part('bridge.recipes.recipes').parameters(ob.data)['arcs'] == ", ".join(map(str, drawn.sides()))
     assert editing_points(ob) == 4
     op(bpy.ops.splinewright.draw_contour, contour=contours.text_of(drawn))
-    assert not part('bridge.recipes').has(bpy.context.object.data), "sharp corners can be trimmed at once"
+    assert not part('bridge.recipes.recipes').has(bpy.context.object.data), "sharp corners can be trimmed at once"
 
 
 def editing_points(ob):

@@ -9,8 +9,8 @@ from shapes import VALUES, add, enter, first_point, leave, move, numbers_of, op,
 from support import part, splinecore as sc, vertices
 
 definitions, editing, live, net_object, selection, shape, store = (part(name) for name in (
-    'core.definition', 'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection',
-    'bridge.shape', 'bridge.store'))
+    'core.shape.definition', 'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.net.selection',
+    'bridge.shape.shape', 'bridge.data.store'))
 
 
 @pytest.mark.parametrize('make', VALUES.values(), ids=VALUES)
@@ -53,7 +53,7 @@ def test_moving_the_whole_net_moves_points_and_leaves_directions(name):
     move(0.5, 0.25, -2)
     leave()
     ob = bpy.data.objects["shape"]
-    after = part('core.transform').transformed(before, [[1, 0, 0, 0.5], [0, 1, 0, 0.25], [0, 0, 1, -2], [0, 0, 0, 1]])
+    after = part('core.shape.transform').transformed(before, [[1, 0, 0, 0.5], [0, 1, 0, 0.25], [0, 0, 1, -2], [0, 0, 0, 1]])
     ours, expected = store.read(ob.data), shape.evaluated(ob.data, after).points
     assert np.allclose(shown(ob), expected, atol=2e-5)
     assert len(ours.pieces) == len(before.pieces)
@@ -313,7 +313,7 @@ def test_a_direction_at_infinity_is_the_head_of_an_arrow():
 
 def test_symmetry_moves_the_other_half_too():
     x, y = np.meshgrid([-1, -0.5, 0.5, 1], [-1, 0, 1], indexing='ij')
-    ob = add(part('core.library').sc.BezierPatch(np.stack([x, y, 0 * x], -1)))
+    ob = add(part('core.base.library').sc.BezierPatch(np.stack([x, y, 0 * x], -1)))
     held = enter()
     held.data.use_mirror_x = True
     select(held, 0)
@@ -398,7 +398,7 @@ def test_a_point_of_a_chain_is_moved_and_its_tangents_keep_their_digits():
 
 def test_a_joint_that_is_broken_stays_broken():
     points, tangents = [(0, 0, 0), (.01, 0, 0), (5, 1, 0), (10, 0, 0)], [(1, 0, 0), (1, 0, 0), (1, 0, 0), (1, -.5, 0)]
-    ob = add(part('core.library').sc.HermiteCurve(points, tangents, [0, .01, 5, 10]))
+    ob = add(part('core.base.library').sc.HermiteCurve(points, tangents, [0, .01, 5, 10]))
     held = enter()
     joint = held.data.splines[0].bezier_points[2]
     joint.handle_left_type = joint.handle_right_type = 'FREE'

@@ -10,7 +10,7 @@ from natives import native_curve
 from shapes import VALUES, activate, add, leave, op
 from support import part
 
-editing, shape, messages = part('ui.editing'), part('bridge.shape'), part('ui.messages')
+editing, shape, messages = part('ui.editing'), part('bridge.shape.shape'), part('ui.messages')
 
 
 def revolved(source):
@@ -29,7 +29,7 @@ def test_a_revolve_leads_to_the_net_of_its_profile():
     surface = revolved(profile)
     assert edit_source() == {'FINISHED'} and bpy.context.mode == 'EDIT_CURVE'
     held, = editing.nets_in_edit_mode(bpy.context)
-    assert part('bridge.net.net_object').shape_of(held) == profile
+    assert part('bridge.cage.net_object').shape_of(held) == profile
     leave()
     assert bpy.context.object == profile and not shape.is_touched(surface.data)
 
@@ -108,11 +108,11 @@ def in_result(value='nurbs patch'):
 
 def test_in_the_result_the_words_name_the_way_back():
     ob = in_result()
-    assert "the generated mesh, not the net" in messages.said(bpy.context.view_layer)[0][0]
+    assert "the generated mesh, not the net" in messages.sentence(bpy.context.view_layer)[0][0]
     said = drawn()
     assert all(word in said for word in ("the generated mesh, not the net", "Back to the Net", "Restore", "Detach"))
     bpy.ops.object.mode_set(mode='OBJECT')
-    assert messages.said(bpy.context.view_layer) == [] and not shape.is_touched(ob.data)
+    assert messages.sentence(bpy.context.view_layer) == [] and not shape.is_touched(ob.data)
 
 
 @pytest.mark.parametrize('value', ('nurbs patch', 'nurbs'))

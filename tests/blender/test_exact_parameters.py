@@ -11,7 +11,7 @@ from shapes import activate, add, enter, op, require_exact
 from support import part, splinecore as sc
 
 parameters, strip_keys, on_shapes, insert_here = (part(name) for name in (
-    'core.parameters', 'ui.operators.strip_keys', 'ui.operators.on_shapes', 'ui.operators.insert_here'))
+    'core.shape.parameters', 'ui.operators.strip_keys', 'ui.operators.on_shapes', 'ui.operators.insert_here'))
 THIRD = math.pi / 10
 KNOTS = np.array([0, 0, 0, 0, 0.25, 1 / 3, 0.5, 1, 1, 1, 1])
 

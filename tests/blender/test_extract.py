@@ -76,7 +76,7 @@ def test_a_side_that_is_a_point_or_none_is_left_out_with_a_word(capfd):
 def test_a_side_at_infinity_is_left_out_with_a_word():
     points = [[(0, 0, 0), (1, 0, 0)], [(0, 0, 1), (0, 1, 1)]]
     cone = sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2, points, [[1, 1], [0, 0]])
-    curves, left_out = part('core.patch_curves').boundaries([cone], 0, ['u_start', 'u_end'])
+    curves, left_out = part('core.verbs.patch_curves').boundaries([cone], 0, ['u_start', 'u_end'])
     assert curves == [cone.boundary('u_start')] and left_out == ["u end lies at infinity"]
 
 
@@ -152,7 +152,7 @@ def test_recipes_followers_and_shapes_changed_by_hand_give_curves_and_stay_as_th
     run('extract_isocurve', direction='V', parameter_v=0.0)
     circle = bpy.context.object.data.splinewright.value
     assert circle == value.isocurve('v', 0.0) and circle.periodic
-    assert part('bridge.recipes').has(torus.data) and torus.data.splinewright.value == value
+    assert part('bridge.recipes.recipes').has(torus.data) and torus.data.splinewright.value == value
 
 
 def test_the_resolution_is_that_of_the_patch_along_the_curve():

@@ -8,8 +8,8 @@ from shapes import activate, add, enter, leave, move, points, require_exact, sel
 from support import part, splinecore as sc
 
 file_state, fineness, follow, live, problems, settings, shape, store = (part(name) for name in (
-    'bridge.file_state', 'bridge.fineness', 'bridge.follow', 'bridge.net.live', 'bridge.problems', 'bridge.settings',
-    'bridge.shape', 'bridge.store'))
+    'bridge.data.file_state', 'bridge.data.tessellate', 'bridge.follow.follow', 'bridge.net.live', 'bridge.data.problems', 'bridge.data.settings',
+    'bridge.shape.shape', 'bridge.data.store'))
 
 
 def patch():
@@ -25,7 +25,7 @@ def test_a_linked_block_and_a_local_one_of_the_same_name_are_two(tmp_path):
         wanted.objects = ["twin"]
     linked = wanted.objects[0]
     assert linked.data.name == local.data.name and linked.data != local.data
-    problems.tell(linked.data, problems.FOLLOWING, "of the linked one")
+    problems.set_problem(linked.data, problems.FOLLOWING, "of the linked one")
     assert problems.of(local.data, problems.FOLLOWING) == ""
     for block in (linked, local, linked.data, local.data):
         assert file_state.block_of(file_state.key(block)) == block
@@ -33,20 +33,22 @@ def test_a_linked_block_and_a_local_one_of_the_same_name_are_two(tmp_path):
 
 def test_problems_about_several_things_do_not_hide_one_another():
     data = add(patch()).data
-    problems.tell(data, problems.NET, "net")
-    problems.tell(data, problems.SETTING, "setting")
-    problems.tell(data, problems.NET, "")
+    problems.set_problem(data, problems.NET, "net")
+    problems.set_problem(data, problems.SETTING, "setting")
+    problems.set_problem(data, problems.NET, "")
     assert (problems.of(data, problems.NET), problems.of(data, problems.SETTING)) == ("", "setting")
 
 
 def test_another_file_is_another_state():
     data = add(patch()).data
-    problems.tell(data, problems.SETTING, "old")
+    problems.set_problem(data, problems.SETTING, "old")
     enter()
     leave()
     file_state.state.quiet.add(file_state.key(data))
+    part('ui.ui_state').ui_state.hovered = ("gone", 1)
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
-    assert file_state.state == file_state.FileState(is_scanned=True)
+    assert file_state.state == file_state.FileState()
+    assert part('ui.ui_state').ui_state == part('ui.ui_state').UiState(is_scanned=True)
 
 
 @pytest.mark.parametrize('resolution', ((2.5, 3), (3, 2.5), ("a", 3), (3, None)))
@@ -80,7 +82,7 @@ def test_a_mistake_of_ours_is_no_advice_and_stops_no_other_follower(monkeypatch,
         activate(source)
         bpy.ops.splinewright.follow_object()
         followers.append(bpy.context.object)
-    derived = part('bridge.derived')
+    derived = part('bridge.follow.recipe_results')
 
     def broken(recipe, values, inputs, *others, work=derived.work):
         if inputs[0] == sources[0]:
@@ -102,7 +104,7 @@ def test_a_mistake_of_ours_in_an_operator_is_no_report(monkeypatch):
 
     def broken(*_):
         raise KeyError("forgotten")
-    monkeypatch.setattr(part('bridge.replacing'), 'do', broken)
+    monkeypatch.setattr(part('bridge.edit.replace_pieces'), 'do', broken)
     with pytest.raises(RuntimeError, match="KeyError"):
         bpy.ops.splinewright.reverse()
 
@@ -118,7 +120,7 @@ def test_the_end_of_a_gesture_builds_no_new_faces(monkeypatch):
     def built(*_):
         raise AssertionError("the faces were built anew")
     monkeypatch.setattr(fineness, 'tessellated', built)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     assert not store.is_draft(ob.data)
     monkeypatch.undo()
     require_exact(ob)

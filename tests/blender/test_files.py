@@ -13,7 +13,7 @@ from shapes import VALUES, activate, add, enter, first_point, leave, move, requi
 from support import part, vertices
 
 editing, live, net_object, shape, store = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.shape', 'bridge.store'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.shape.shape', 'bridge.data.store'))
 
 DATA = Path(__file__).resolve().parent.parent / "data"
 KINDS = ('nurbs patch', 'teapot', 'nurbs', 'hermite')
@@ -111,7 +111,7 @@ def test_a_recovered_file_with_a_net_in_it_goes_on(name, tmp_path):
     select(held, first_point(held))
     move(0, 0, -1)
     ob = leave()
-    after, before = store.read(ob.data), part('core.definition').from_value(value)
+    after, before = store.read(ob.data), part('core.shape.definition').from_value(value)
     same = (after.pool == before.pool).all(1) if after.pool.shape == before.pool.shape else np.array([True])
     assert same.sum() >= len(same) - 3, "what was not moved has the digits of before the file was written"
     require_exact(ob)
@@ -248,7 +248,7 @@ def test_a_follower_brings_along_what_it_follows(tmp_path):
     save(path)
     bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
     ob = bring(path, link=False)
-    follow = part('bridge.follow')
+    follow = part('bridge.follow.follow')
     assert "deleted" in follow.problem(ob.data), "the source is in no scene yet"
     bpy.context.scene.collection.objects.link(bpy.data.objects["source"])
     bpy.data.objects["source"].location.z = 1

@@ -10,7 +10,7 @@ from mathutils.bvhtree import BVHTree
 from shapes import VALUES, activate, add, enter, first_point, leave, move, op, require_exact, select
 from support import corner_normals, part, splinecore as sc, vertices
 
-editing, live, shape, starters = (part(name) for name in ('ui.editing', 'bridge.net.live', 'bridge.shape', 'core.starters'))
+editing, live, shape, starters = (part(name) for name in ('ui.editing', 'bridge.net.live', 'bridge.shape.shape', 'core.shape.starters'))
 
 
 def surface_points(value, count=40):
@@ -122,7 +122,7 @@ def test_a_drag_keeps_the_faces_and_its_end_gives_those_that_the_shape_asks_for(
     for _ in range(3):
         move(0, 0, 0.5)
         assert len(ob.data.polygons) == first
-    editing.settle()
+    editing.finalize()
     settled = len(ob.data.polygons)
     assert settled > first and distance(ob) <= 0.0101
     move(0, 0, -0.1)
@@ -382,7 +382,7 @@ def test_several_shapes_are_set_at_once():
 def exact_normals(ob):
     value = ob.data.splinewright.value
     patch_set = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
-    return part('bridge.fineness').tessellated(ob.data, patch_set).evaluate(patch_set)[1]
+    return part('bridge.data.tessellate').tessellated(ob.data, patch_set).evaluate(patch_set)[1]
 
 
 def largest_angle(a, b):
@@ -397,12 +397,12 @@ def test_normals_turn_with_the_faces_while_points_move_and_are_exact_at_the_end(
     for _ in range(3):
         before = corner_normals(ob.data)
         move(0, 0, 2)
-        assert part('bridge.store').is_draft(ob.data)
+        assert part('bridge.data.store').is_draft(ob.data)
         exact = exact_normals(ob)
         assert (corner_normals(ob.data) * exact).sum(1).mean() > 0.95 > (before * exact).sum(1).mean()
-    editing.settle()
+    editing.finalize()
     assert largest_angle(corner_normals(ob.data), exact_normals(ob)) < 0.1
-    assert not part('bridge.store').is_draft(ob.data)
+    assert not part('bridge.data.store').is_draft(ob.data)
     leave()
 
 

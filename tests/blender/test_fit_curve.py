@@ -13,7 +13,7 @@ from shapes import op, require_exact
 from support import part, splinecore as sc
 from test_curve_through import mesh_object, select_vertices, value
 
-recipes, strokes, store = (part(f'bridge.{name}') for name in ('recipes', 'strokes', 'store'))
+recipes, strokes, store = (part(f'bridge.{name}') for name in ('recipes.recipes', 'edit.grease_pencil', 'data.store'))
 
 T = np.linspace(0, 1, 60)
 DRAWN = np.stack([4 * T, np.sin(6 * T) + 0.01 * np.sin(200 * T), 0.2 * T], -1).astype(np.float32).astype(np.float64)

@@ -10,9 +10,9 @@ from shapes import activate, require_exact
 from support import part, vertices
 
 follow, recipes, shape, starters, store = (part(name) for name in (
-    'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.starters', 'bridge.store'))
+    'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.shape.starters', 'bridge.data.store'))
 FOLLOW, Result = part('core.recipes.table').FOLLOW, part('core.recipes.recipe').Result
-key, state = part('bridge.file_state').key, part('bridge.file_state').state
+key, state = part('bridge.data.file_state').key, part('bridge.data.file_state').state
 
 
 def native_curve(kind='NURBS'):
@@ -373,7 +373,7 @@ def test_a_linked_follower_is_said_to_be_as_it_was_saved_and_costs_nothing(is_in
     else:
         bpy.context.scene.collection.children.link(wanted.collections[0])
     evaluations = []
-    monkeypatch.setattr(part('bridge.derived'), 'result', lambda *_: evaluations.append(1))
+    monkeypatch.setattr(part('bridge.follow.recipe_results'), 'result', lambda *_: evaluations.append(1))
     for frame in (1, 6, 11):
         bpy.context.scene.frame_set(frame)
     data = next(data for data in bpy.data.curves if recipes.has(data))

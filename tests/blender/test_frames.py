@@ -11,7 +11,7 @@ from animated import animate, coverage, follow_object, height, in_cycles, in_sce
 from shapes import activate
 from support import ADDON, part
 
-follow, placing, recipes, store = (part(name) for name in ('bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.store'))
+follow, placing, recipes, store = (part(name) for name in ('bridge.follow.follow', 'bridge.recipes.placing', 'bridge.recipes.recipes', 'bridge.data.store'))
 FRAMES = (1, 4, 7)
 
 

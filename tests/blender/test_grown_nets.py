@@ -9,7 +9,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 
 editing, live, net_object, store = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 POLYGONS = ('nurbs', 'quintic', 'rational cubic', 'unclamped', 'line')
 CHAINS = ('hermite', 'hermite with corners', 'cubic')
 MORE = {

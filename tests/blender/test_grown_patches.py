@@ -11,7 +11,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 
 editing, live, net_object, store = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 #: Kinds, and along which axes they have borders.
 OPEN = [('plain nurbs', 0), ('plain nurbs', 1), ('rational nurbs', 0), ('rational nurbs', 1), ('nurbs patch', 0),
         ('bezier patch', 0), ('bezier patch', 1), ('uniform', 0), ('uniform', 1), ('bilinear', 0), ('cylinder', 1)]
@@ -174,7 +174,7 @@ def taken_up():
     """followed(), when what had to wait is taken up, which a timer does in a window."""
     bpy.context.view_layer.update()
     assert live.is_waiting(held()) and live.problem(held()) == ""
-    editing.take_up()
+    editing.adopt_rows()
     assert not live.is_waiting(held())
     return followed()
 
@@ -306,7 +306,7 @@ def test_a_called_off_drag_of_a_border_leads_back_at_once():
     held().data.vertices.foreach_get('co', places)
     move(0, 0, 1)
     assert value() != before
-    edited = part('bridge.net.cage')._Vertices(held())
+    edited = part('bridge.cage.cage')._Vertices(held())
     edited.set_positions(places.reshape(-1, 3))
     edited.tell()
     bpy.context.view_layer.update()
@@ -472,7 +472,7 @@ def test_a_net_that_cannot_be_read_waits_for_nothing_and_its_shape_stays():
     assert live.is_waiting(held())
     layers = mesh().verts.layers.int
     layers.remove(layers["splinewright_vertex"])
-    live.pull(held(), live.Moment.TOLD)
+    live.sync_from_cage(held(), live.Phase.TOLD)
     assert "lost the numbers" in live.problem(held())
     assert not live.is_waiting(held()) and value() == longer
     require_exact(bpy.data.objects["shape"])
@@ -493,5 +493,5 @@ def test_where_a_net_that_has_grown_cannot_be_read_its_shape_stays_until_it_can(
     assert "not to be read" in live.problem(held()) and value() == before
     assert len(session.state.positions) == len(session.points) == len(session.net.rows) > count
     monkeypatch.undo()
-    live.pull(held())
+    live.sync_from_cage(held())
     assert followed().points.shape[0] == before.points.shape[0] + 1

@@ -210,7 +210,7 @@ def test_several_nets_in_edit_mode_grow_each_on_its_own():
     for name in ("other", "shape"):
         bpy.data.objects[name].select_set(True)
     enter()
-    nets = {part('bridge.net.net_object').shape_of(ob).name: ob for ob in bpy.context.objects_in_mode}
+    nets = {part('bridge.cage.net_object').shape_of(ob).name: ob for ob in bpy.context.objects_in_mode}
     assert len(nets) == 2
     bpy.ops.mesh.select_all(action='SELECT')
     op(bpy.ops.mesh.subdivide)

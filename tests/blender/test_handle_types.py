@@ -14,7 +14,7 @@ from support import part, splinecore as sc
 from test_files import reopen, save
 
 handles, live, store, shape_part, replacing = (part(name) for name in (
-    'bridge.handles', 'bridge.net.live', 'bridge.store', 'bridge.shape', 'bridge.replacing'))
+    'bridge.curve.handles', 'bridge.net.live', 'bridge.data.store', 'bridge.shape.shape', 'bridge.edit.replace_pieces'))
 TYPES = ('FREE', 'AUTO', 'VECTOR', 'ALIGNED')
 FIELDS = ('handle_left', 'co', 'handle_right')
 PLACES = np.array([(0, 0, 0), (1, 2, 0), (3, 1, 1), (7, 2, 0), (8, 5, 1), (6, 6, 0.5), (2, 5, 0), (1, 4, 0)])
@@ -360,7 +360,7 @@ def test_types_go_with_what_shapes_become():
 def test_a_baked_curve_has_none():
     ob = bezier([('AUTO', 'AUTO')] * 4)
     exact(ob)
-    baking = part('bridge.baking')
+    baking = part('bridge.edit.baking')
     for take in baking.record(bpy.context.scene, [ob.data], [1, 2]):
         pass
     baked = ob.data.copy()
@@ -457,8 +457,8 @@ def test_a_pull_that_is_called_off_puts_types_back():
     exact(ob)
     before = ob.data.splinewright.value
     held = enter()
-    pulled = part('bridge.pulling').HeldNet(held)
-    core_pulling = part('core.definition')
+    pulled = part('bridge.net.pulling').HeldNet(held)
+    core_pulling = part('core.shape.definition')
     curve = core_pulling.to_value(pulled.definition)
     other = core_pulling.from_value(sc.HermiteCurve(curve.points, curve.tangents * [[[1.5]], [[1]], [[0.7]], [[1]], [[1]]]))
     pulled.show(other)

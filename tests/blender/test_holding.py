@@ -9,7 +9,7 @@ from shapes import add, enter, leave, move, numbers_of, op, require_exact, selec
 from support import part, splinecore as sc
 from test_files import reopen, save
 
-held, live, net_object, store = (part(name) for name in ('bridge.held', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+held, live, net_object, store = (part(name) for name in ('bridge.data.held', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 
 
 def neighbors(count=2):

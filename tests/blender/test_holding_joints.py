@@ -9,8 +9,8 @@ from shapes import add, enter, leave, move, numbers_of, op, require_exact, selec
 from support import part, splinecore as sc
 from test_files import reopen, save
 
-held, live, net_object, store = (part(name) for name in ('bridge.held', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
-continuity = part('core.continuity')
+held, live, net_object, store = (part(name) for name in ('bridge.data.held', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
+continuity = part('core.joints.continuity')
 
 FIRST = np.array([[0, 0, 0], [1, 1.5, 0], [2, -0.5, 0.5], [3, 1, 0], [4, 0, 0.0]])
 SECOND = np.array([[4, 0, 0], [5, 1, 0.5], [6, 0.5, -0.5], [7, 0, 0], [8, 1, 0.0]])
@@ -250,7 +250,7 @@ def test_what_follows_another_holds_nothing():
     source = bpy.context.object
     add(curves())
     hold()
-    part('bridge.follow').attach(shape(), source, bpy.context.evaluated_depsgraph_get())
+    part('bridge.follow.follow').attach(shape(), source, bpy.context.evaluated_depsgraph_get())
     assert held.read(shape().data) == ()
 
 

@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, add, enter, leave, move, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 
-net_object, store = part('bridge.net.net_object'), part('bridge.store')
+net_object, store = part('bridge.cage.net_object'), part('bridge.data.store')
 
 
 def arrow_heads(ob):

@@ -12,7 +12,7 @@ from shapes import activate, add, enter, op
 from support import part, splinecore as sc
 
 aiming, insert_here, mesh_layers, picking, surveys = (part(name) for name in (
-    'core.aiming', 'ui.operators.insert_here', 'bridge.mesh_layers', 'ui.picking', 'bridge.surveys'))
+    'core.verbs.parameter_picking', 'ui.operators.insert_here', 'bridge.mesh.mesh_layers', 'ui.picking', 'bridge.analysis.surveys'))
 REGION = SimpleNamespace(width=200, height=100)
 VIEW = SimpleNamespace(perspective_matrix=np.diag([1.0, 2.0, 1.0, 1.0]))
 CURVES = ('nurbs', 'semicircle', 'periodic', 'closed hermite', 'cubic', 'hyperbola')
@@ -29,7 +29,7 @@ def test_samples_lie_on_the_curve_from_end_to_end_with_every_knot(kind):
         at, points = aiming.samples(curve)
         assert (at[0], at[-1]) == tuple(curve.domain) and (np.diff(at) > 0).all()
         assert np.array_equal(points, curve.evaluate(at, at_infinity='nan'), equal_nan=True)
-        inner = part('core.parameters').inner_knots(curve)
+        inner = part('core.shape.parameters').inner_knots(curve)
         assert np.abs(at[:, None] - inner).min(axis=0, initial=np.inf).max(initial=0) <= 1e-12 * np.abs(curve.domain).max()
 
 
@@ -37,7 +37,7 @@ def test_samples_lie_on_the_curve_from_end_to_end_with_every_knot(kind):
 def test_a_parameter_in_the_middle_of_a_span_is_found_from_anywhere_in_it(kind):
     for curve in curves_of(kind):
         start, end = curve.domain
-        for first, last in part('core.parameters').spans_of(curve):
+        for first, last in part('core.shape.parameters').spans_of(curve):
             for part_of_span in (0.01, 0.4, 0.99):
                 at = start + (end - start) * (first + part_of_span * (last - first))
                 middle, = aiming.in_middle(curve, (at,))
@@ -64,7 +64,7 @@ def test_the_parameters_at_a_point_of_a_face_are_those_of_the_surface(kind):
     pieces = surveys.pieces_of(ob.data)
     size = np.ptp([vertex.co for vertex in ob.data.vertices], axis=0).max()
     for face in list(ob.data.polygons)[::7]:
-        number = part('bridge.mesh_looks').patch_of_face(ob.data, face.index)
+        number = part('bridge.mesh.mesh_looks').patch_of_face(ob.data, face.index)
         fractions = mesh_layers.parameters_at(ob.data, face.index, face.center)
         u, v = aiming.of_domain(pieces[number - 1], fractions)
         assert np.linalg.norm(pieces[number - 1].evaluate(u, v) - np.array(face.center)) < 0.06 * size

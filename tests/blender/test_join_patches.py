@@ -8,7 +8,7 @@ from patches import patches_of
 from shapes import VALUES, activate, add, op, require_exact
 from support import part, splinecore as sc
 
-joints, recipes = part('core.patch_joints'), part('bridge.recipes')
+joints, recipes = part('core.joints.patch_joints'), part('bridge.recipes.recipes')
 CLASS = {'C0': (0, 0), 'G1': (0, 1), 'C1': (1, 1), 'G2': (0, 2), 'C2': (2, 2)}
 
 
@@ -110,7 +110,7 @@ def test_the_report_and_the_panel_say_the_same_continuity(capfd):
     second[1] = first[-1] + (first[-1] - first[-2]) * (1 + 3e-6)
     ob = add(sc.PatchSet.from_patches([sc.BezierPatch(first), sc.BezierPatch(second)]))
     op(bpy.ops.splinewright.join_patches, continuity='C0')
-    shown, = (part('ui.continuity_panel').kind(joint) for joint in part('bridge.surveys').survey_of(ob.data).joints)
+    shown, = (part('ui.continuity_panel').kind(joint) for joint in part('bridge.analysis.surveys').survey_of(ob.data).joints)
     assert f"are {shown}, angle" in capfd.readouterr().out and shown == "C1 G1"
 
 

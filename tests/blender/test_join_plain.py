@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, activate, add, op, require_exact, shown, world_points
 from support import part
 
-joining, recipes, shape, store = (part(name) for name in ('bridge.joining', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+joining, recipes, shape, store = (part(name) for name in ('bridge.edit.joining', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store'))
 
 
 def cube(name="Cube"):

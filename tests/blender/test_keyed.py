@@ -10,7 +10,7 @@ from shapes import activate, add, enter, op, require_exact
 from support import part
 
 parameters, problems, recipes, settings, shape, starters = (part(name) for name in (
-    'bridge.parameters', 'bridge.problems', 'bridge.recipes', 'bridge.settings', 'bridge.shape', 'core.starters'))
+    'bridge.recipes.parameters', 'bridge.data.problems', 'bridge.recipes.recipes', 'bridge.data.settings', 'bridge.shape.shape', 'core.shape.starters'))
 FRAMES = (1, 4, 7)
 
 

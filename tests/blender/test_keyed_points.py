@@ -10,7 +10,7 @@ from layouts import drawn
 from shapes import VALUES, activate, add, op, require_exact
 from support import part, splinecore as sc
 
-animation, problems = part('bridge.animation'), part('bridge.problems')
+animation, problems = part('bridge.data.animation'), part('bridge.data.problems')
 FRAMES = (1, 4, 7)
 
 
@@ -59,7 +59,7 @@ def test_points_without_keys_and_numbers_that_keys_repeat_keep_every_digit():
 def test_a_key_that_goes_on_the_same_writes_nothing(monkeypatch):
     ob = keyed_shape(VALUES['nurbs patch']())
     at(7)
-    shape, writes = part('bridge.shape'), []
+    shape, writes = part('bridge.shape.shape'), []
     finish = shape._finish
     monkeypatch.setattr(shape, '_finish', lambda *arguments: writes.append(1) or finish(*arguments))
     for frame in (8, 20, 9):
@@ -118,9 +118,9 @@ def test_very_small_and_very_large_shapes_are_keyed(scale):
 
 @pytest.mark.parametrize('scale, word', ((1e-40, "smaller"), (1e39, "farther")))
 def test_what_keys_do_not_hold_is_refused(scale, word):
-    definition = part('core.definition').from_value(sc.BezierCurve(np.array([(0, 0, 0), (1, 2, 0), (3, 0, 0)]) * scale))
+    definition = part('core.shape.definition').from_value(sc.BezierCurve(np.array([(0, 0, 0), (1, 2, 0), (3, 0, 0)]) * scale))
     with pytest.raises(ValueError, match=word):
-        part('core.keyed_rows').require_single(definition.pool, np.arange(3))
+        part('core.shape.keyed_rows').require_single(definition.pool, np.arange(3))
 
 
 def test_what_followers_are_made_of_moves_them_and_both_are_baked():
@@ -248,7 +248,7 @@ def test_recipes_refuse_and_say_what_is_keyed_instead():
     ob = bpy.context.object
     assert not key.poll()
     with pytest.raises(ValueError, match="key its numbers"):
-        part('bridge.point_keying').insert(ob.data, [0], 1)
+        part('bridge.net.point_keying').insert(ob.data, [0], 1)
     animate_row(ob, 0, 'place', {1: 0.0, 7: 6.0}, index=2)
     before = pool(ob)
     at(4)

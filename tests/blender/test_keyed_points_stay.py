@@ -12,7 +12,7 @@ from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, re
 from support import part, splinecore as sc
 from test_holding import hold, neighbors, require_smooth, row
 
-animation = part('bridge.animation')
+animation = part('bridge.data.animation')
 
 
 def test_copies_have_keys_of_their_own_where_their_data_is_and_share_them_where_it_is_shared():
@@ -104,7 +104,7 @@ def test_undo_of_a_verb_brings_keys_back():
 
 def test_what_follows_another_object_from_now_on_has_no_keys_of_points():
     source, ob = add(VALUES['cubic']()), keyed_shape(VALUES['nurbs']())
-    part('bridge.follow').attach(ob, source, bpy.context.evaluated_depsgraph_get())
+    part('bridge.follow.follow').attach(ob, source, bpy.context.evaluated_depsgraph_get())
     assert not len(ob.data.splinewright_keyed) and not point_keys.has(ob.data)
     at(4)
     require_exact(ob)

@@ -13,9 +13,9 @@ from shapes import activate, add, enter, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
 
 definitions, live, seen, store, strip, strip_keys = (part(name) for name in (
-    'core.definition', 'bridge.net.live', 'bridge.sights', 'bridge.store', 'ui.knot_strip',
+    'core.shape.definition', 'bridge.net.live', 'bridge.analysis.overlays', 'bridge.data.store', 'ui.knot_strip',
     'ui.operators.strip_keys'))
-state, blenders_refusals = part('bridge.file_state').state, part('core.failures').blenders_refusals
+state, blenders_refusals = part('ui.ui_state').ui_state, part('core.base.failures').blenders_refusals
 #: Kind of a shape, axis, which of its knots, where to.
 MOVED = (('nurbs', 'U', 5, 0.15), ('periodic', 'U', 3, 0.9), ('uniform', 'U', 5, 4.25), ('uniform', 'U', 1, -2.0),
          ('three knots', 'U', 7, 0.5), ('hermite', 'U', 2, 0.25), ('circle', 'U', 4, 0.2))
@@ -93,7 +93,7 @@ def test_knots_that_single_precision_does_not_hold_are_moved_and_never_mistaken(
     curve = sc.NurbsCurve(3, scale * np.array([0, 0, 0, 0, 1, 2, 3, 3, 3, 3.0]), points)
     add(curve)
     to = 1.5 * scale
-    single = part('core.decimals').single
+    single = part('core.base.decimals').single
     assert run('move_knot', knot=5, parameter=single(to), exact=repr(to)) == {'FINISHED'}
     assert value().knots[4] == to
     require_exact(shape())
@@ -223,7 +223,7 @@ def context():
     """Of a 3D view, as Blender has one in background, and regions of ours."""
     screen = bpy.context.window_manager.windows[0].screen
     space = next(area for area in screen.areas if area.type == 'VIEW_3D').spaces.active
-    seen.of(bpy.context.scene).strip = True
+    bpy.context.scene.splinewright_sights.strip = True
 
     class Context(SimpleNamespace):
         object = property(lambda self: bpy.context.object)
@@ -233,7 +233,7 @@ def context():
 
     yield Context(space_data=space, region=WINDOW, area=SimpleNamespace(regions=(*AROUND, WINDOW)),
                   preferences=SimpleNamespace(system=SimpleNamespace(ui_scale=1.0)))
-    seen.of(bpy.context.scene).property_unset('strip')
+    bpy.context.scene.splinewright_sights.property_unset('strip')
     state.moved_knot = None
 
 
@@ -304,7 +304,7 @@ def test_what_would_move_the_shape_too_far_stays(context, tolerance):
     found = strip.shown(context)
     hit = strip.hit(context, found.places(0)[5], found.boxes[0].bottom + 5)
     words = "^shape: the knot cannot be removed within"
-    with pytest.raises(part('core.failures').Refusal, match=words), blenders_refusals():
+    with pytest.raises(part('core.base.failures').Refusal, match=words), blenders_refusals():
         strip_keys._called('remove_knot', hit, nearest=False, times=1, limited=True, tolerance=tolerance)
     assert value() == before
 
@@ -334,14 +334,14 @@ def test_a_damaged_shape_shows_none(context):
     ob, _, _ = added('nurbs', 'U', False)
     ob.data[store.KEY]['form'] = "nonsense"
     bpy.context.view_layer.update()
-    part('bridge.file_state').look_again(ob.data)
+    part('bridge.data.file_state').look_again(ob.data)
     assert strip.shown(context) is None
 
 
 def test_in_a_net_the_piece_of_the_selected_points_is_shown_and_elsewhere_that_in_hand(context):
     ob = add(value_of('many curves'))
     assert strip.shown(context).number == 1 and strip.shown(context).count == 4
-    part('ui.hand').take(ob.data, 2)
+    part('ui.active_shape').take(ob.data, 2)
     assert strip.shown(context).number == 2
     held = enter()
     rows = numbers_of(held).rows

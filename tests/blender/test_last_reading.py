@@ -9,8 +9,8 @@ from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part
 
 cage, editing, exact_net, live, net_object, reading, store = (part(name) for name in (
-    'bridge.net.cage', 'ui.editing', 'core.net.exact_net', 'bridge.net.live', 'bridge.net.net_object', 'core.net.reading',
-    'bridge.store'))
+    'bridge.cage.cage', 'ui.editing', 'core.net.exact_net', 'bridge.net.live', 'bridge.cage.net_object', 'core.net.reading',
+    'bridge.data.store'))
 
 
 def layer(held, name, kind='float'):
@@ -100,7 +100,7 @@ def test_a_weight_that_is_changed_where_another_point_moves_counts_at_the_end_at
     verts[9][weight] = 7.0
     tell(held)
     if how == 'settle':
-        editing.settle()
+        editing.finalize()
     elif how == 'update':
         tell(held)
     if how == 'leave':

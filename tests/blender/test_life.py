@@ -8,7 +8,7 @@ from shapes import (KINDS, VALUES, activate, add, by_hand, enter, first_point, l
                     shown, world_points)
 from support import part
 
-editing, net_object, shape, store = (part(name) for name in ('ui.editing', 'bridge.net.net_object', 'bridge.shape', 'bridge.store'))
+editing, net_object, shape, store = (part(name) for name in ('ui.editing', 'bridge.cage.net_object', 'bridge.shape.shape', 'bridge.data.store'))
 
 
 # Changed by hand -----------------------------------------------------------------------------------

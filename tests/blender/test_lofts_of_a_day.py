@@ -12,7 +12,7 @@ from patches import value_of
 from shapes import activate, add, enter, leave, op, require_exact
 from support import part, splinecore as sc, vertices
 
-follow, problems, recipes = (part(name) for name in ('bridge.follow', 'bridge.problems', 'bridge.recipes'))
+follow, problems, recipes = (part(name) for name in ('bridge.follow.follow', 'bridge.data.problems', 'bridge.recipes.recipes'))
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 

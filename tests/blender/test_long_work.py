@@ -14,7 +14,7 @@ from shapes import add
 from support import part, splinecore as sc
 
 long_work = part('ui.operators.long_work')
-verbs, patch_verbs = part('core.verbs'), part('core.patch_verbs')
+verbs, patch_verbs = part('core.verbs.verbs'), part('core.verbs.patch_verbs')
 POINTS = np.random.default_rng(5).random((40_000, 3))
 
 
@@ -88,7 +88,7 @@ def test_a_verb_takes_what_was_made_beforehand():
     ob = add(value_of('nurbs'))
     run('rebuild', count_u=6)
     wanted = ob.data.splinewright.value
-    before = part('bridge.store').read(add(value_of('nurbs'), "other").data)
+    before = part('bridge.data.store').read(add(value_of('nurbs'), "other").data)
     work = long_work.Work({'a': lambda cancel: verbs.changed(before, 0, verbs.rebuild(6, 3, 'points', cancel), "")})
     assert work.is_done(30)
     assert verbs.pieces_of(Operator(work).result_of('a', None).definition) == [wanted]

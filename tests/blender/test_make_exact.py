@@ -8,7 +8,7 @@ from geometry import farthest, mesh_points, signed_volume
 from natives import CURVES, SURFACES, all_natives, drawn, exact, material, native, native_curve, native_surface
 from support import corner_normals, part
 
-animation = part('bridge.animation')
+animation = part('bridge.data.animation')
 make_exact = part('bridge.native.make_exact')
 to_native = part('bridge.native.to_native')
 read_native = part('bridge.native.read_native')
@@ -46,7 +46,7 @@ def test_several_objects_are_done_at_once_and_all_have_values():
     objects = all_natives()
     exact(*objects)
     assert all(ob.data.splinewright.value is not None for ob in objects)
-    assert not any(part('bridge.shape').is_touched(ob.data) for ob in objects)
+    assert not any(part('bridge.shape.shape').is_touched(ob.data) for ob in objects)
     assert {ob.type for ob in objects} == {'CURVE', 'MESH'} and len(bpy.context.selected_objects) == len(objects)
     native(*objects)
     assert {ob.type for ob in objects} == {'CURVE', 'SURFACE'} and not bpy.data.meshes
@@ -146,7 +146,7 @@ def test_a_flat_curve_stays_filled_and_one_that_is_not_flat_is_told(fill):
     assert make_exact.make_exact(bpy.context, flat).dropped == []
     assert (flat.data.dimensions, flat.data.fill_mode) == ('2D', fill)
     assert bool(faces) == bool(len(drawn(flat).polygons)) == (fill != 'NONE')
-    assert not part('bridge.shape').is_touched(flat.data)
+    assert not part('bridge.shape.shape').is_touched(flat.data)
     bent = native_curve('primitive_bezier_circle_add')
     bent.data.dimensions = '2D'
     points = bent.data.splines[0].bezier_points

@@ -11,7 +11,7 @@ from layouts import drawn_by
 from shapes import activate, add, enter, op
 from support import part, splinecore as sc
 
-measured, measure_here = part('core.measured'), part('ui.operators.measure_here')
+measured, measure_here = part('core.analysis.measured'), part('ui.operators.measure_here')
 measure_panel = part('ui.measure_panel')
 panel = measure_panel.SPLINEWRIGHT_PT_measure_place
 

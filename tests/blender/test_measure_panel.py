@@ -11,7 +11,7 @@ from layouts import drawn_by
 from shapes import add, enter
 from support import part, splinecore as sc
 
-measured, measure_panel = part('core.measured'), part('ui.measure_panel')
+measured, measure_panel = part('core.analysis.measured'), part('ui.measure_panel')
 panel = measure_panel.SPLINEWRIGHT_PT_measure
 
 
@@ -119,13 +119,13 @@ def test_where_the_area_is_refused_the_box_is_there():
 
 def test_measures_that_are_refused_for_one_reason_say_it_once():
     ob = add(curves.value_of('hyperbola'))
-    problem, = part('bridge.surveys').whole_soon(ob.data, np.eye(4), 60).problems
+    problem, = part('bridge.analysis.surveys').whole_soon(ob.data, np.eye(4), 60).problems
     assert "infinity" in problem
 
 
 def test_measures_are_kept_until_the_shape_changes():
     ob = add(curves.value_of('nurbs'))
-    surveys = part('bridge.surveys')
+    surveys = part('bridge.analysis.surveys')
     matrix = np.eye(4)
     first = surveys.whole_soon(ob.data, matrix, 60)
     assert surveys.whole_soon(ob.data, matrix, 60) is first
@@ -176,7 +176,7 @@ def test_the_panel_of_a_curve_of_very_many_points_is_drawn_soon():
     def after(calls):
         asked.append(1)
         return len(asked) > calls
-    shape = measured.moved(part('core.definition').from_value(curve), np.eye(4))
+    shape = measured.moved(part('core.shape.definition').from_value(curve), np.eye(4))
     with pytest.raises(sc.Cancelled):
         measured.whole(shape, lambda: after(3))
     assert len(asked) == 4

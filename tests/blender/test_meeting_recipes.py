@@ -10,7 +10,7 @@ from support import part, splinecore as sc
 from test_revolve_axis import PLACES, empty
 from test_surfaces import add_recipe
 
-follow, recipes = part('bridge.follow'), part('bridge.recipes')
+follow, recipes = part('bridge.follow.follow'), part('bridge.recipes.recipes')
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 WAVE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 1, 0), (4, 0, 0)])
 SPHERE = sc.build.sphere((0, 0, 0), 1.0)
@@ -152,7 +152,7 @@ def test_a_long_section_is_called_off():
     rng = np.random.default_rng(1)
     knots = np.r_[[0] * 4, np.arange(1, 37), [37] * 4].astype(float)
     x, y = np.meshgrid(np.linspace(0, 1, 40), np.linspace(0, 1, 40), indexing='ij')
-    waves = [part('core.definition').from_value(sc.NurbsPatch((3, 3), (knots, knots), np.stack(
+    waves = [part('core.shape.definition').from_value(sc.NurbsPatch((3, 3), (knots, knots), np.stack(
         [x, y, 0.2 * rng.uniform(-1, 1, x.shape)], -1))) for _ in range(2)]
     work = part('core.recipes.table').RECIPES['section'].work(waves, {'tolerance': 1e-8})
     with pytest.raises(sc.Cancelled):

@@ -162,7 +162,7 @@ def test_a_command_is_in_one_menu():
     objects = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)]
     adding = [entry.operator for top in (menu_table.ADD_CURVE, menu_table.ADD_SURFACE) for entry in menu_table.operators_in(top)]
     from_objects = {entry.operator for menu in (menu_table.FROM_CURVES, menu_table.FROM_SURFACES) for entry in menu.entries}
-    for kind in sorted(part('ui.kinds').ALL):
+    for kind in sorted(part('ui.object_kinds').ALL):
         of_kind = [entry.operator for entry in menu_table.operators_in(menu_table.OBJECT)
                    if entry.operator not in ('show_sight', 'use_tool') and entry.concerns is not None and kind in entry.concerns]
         assert len(of_kind) == len(set(of_kind)), kind

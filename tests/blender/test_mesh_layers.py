@@ -8,7 +8,7 @@ from patches import value_of
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc, vertices
 
-mesh_layers, shape = part('bridge.mesh_layers'), part('bridge.shape')
+mesh_layers, shape = part('bridge.mesh.mesh_layers'), part('bridge.shape.shape')
 #: For each type a value and how it is read.
 VALUES = {'FLOAT': ('value', 0.5), 'INT': ('value', 70_000), 'INT8': ('value', -7), 'BOOLEAN': ('value', True),
           'FLOAT_VECTOR': ('vector', (1.0, 2.0, 3.0)), 'FLOAT_COLOR': ('color', (0.25, 0.5, 0.75, 0.5)),
@@ -57,7 +57,7 @@ def fill(attribute, name, value):
 
 def test_the_table_knows_every_type_of_this_blender():
     assert not set(TYPES) - set(VALUES)
-    assert not set(TYPES) - set(part('bridge.mesh_layers').ATTRIBUTES)
+    assert not set(TYPES) - set(part('bridge.mesh.mesh_layers').ATTRIBUTES)
 
 
 @pytest.mark.parametrize('domain', ('POINT', 'FACE', 'CORNER'))

@@ -9,7 +9,7 @@ from patches import value_of
 from shapes import activate, add, enter, first_point, leave, move, op, require_exact, select
 from support import part, splinecore as sc, vertices
 
-mesh_marks, shape, versions = (part(f'bridge.{name}') for name in ('mesh_marks', 'shape', 'versions'))
+mesh_marks, shape, versions = (part(f'bridge.{name}') for name in ('mesh.mesh_marks', 'shape.shape', 'data.versions'))
 OLD = not versions.marks_are_attributes
 
 

@@ -8,7 +8,7 @@ from mathutils import Matrix
 from shapes import activate, add, op
 from support import part, splinecore as sc
 
-recipes, images, continuity = part('bridge.recipes'), part('bridge.images'), part('core.continuity')
+recipes, images, continuity = part('bridge.recipes.recipes'), part('bridge.shape.images'), part('core.joints.continuity')
 HALF = sc.NurbsPatch((2, 2), ([0, 0, 0, 0.5, 1, 1, 1], [0, 0, 0, 1, 1, 1]),
                      [[(x, y, 0.3 * (2 - x) * (y + 0.2 * x)) for y in range(3)] for x in range(4)])
 CURVE = sc.BezierCurve([(0, 0, 0), (1, 0.3, 0), (2, 1, 0), (2, 2, 0)])
@@ -61,7 +61,7 @@ def test_it_follows_the_half_and_is_smooth_again():
     bpy.context.view_layer.update()
     found = ob.data.splinewright.value
     assert "moved by" in recipes.read(ob.data).said and len(found.patches) == 2
-    first, second = part('core.verbs').pieces_of(part('bridge.store').read(ob.data))
+    first, second = part('core.verbs.verbs').pieces_of(part('bridge.data.store').read(ob.data))
     seam = sc.seam_continuity(first, 'u_start', second, 'v_start')
     assert seam.gap == 0.0 and seam.g >= 2
 

@@ -9,7 +9,7 @@ from shapes import activate, require_exact
 from support import part, splinecore as sc, vertices
 
 follow, placing, recipes, shape, store = (part(name) for name in (
-    'bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.shape', 'bridge.store'))
+    'bridge.follow.follow', 'bridge.recipes.placing', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store'))
 
 
 def ring(height, radius=1.0, name="ring"):

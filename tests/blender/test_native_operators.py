@@ -92,7 +92,7 @@ def test_the_others_are_done_where_one_cannot_be():
 def test_a_shape_that_blender_cannot_hold_is_left_alone():
     for value in (sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, -2, 1]),
                   sc.BezierPatch(np.random.default_rng(1).uniform(size=(2, 65, 3)))):
-        data = part('bridge.shape').new_data("shape", value, (4, 4))
+        data = part('bridge.shape.shape').new_data("shape", value, (4, 4))
         ob = bpy.data.objects.new("shape", data)
         bpy.context.collection.objects.link(ob)
         select(ob)

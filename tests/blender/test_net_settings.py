@@ -9,7 +9,7 @@ from shapes import VALUES, add, enter, first_point, leave, move, op, require_exa
 from support import part, splinecore as sc
 
 editing, live, settings_number, panels, shape = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.settings_number', 'ui.panels', 'bridge.shape'))
+    'ui.editing', 'bridge.net.live', 'bridge.cage.settings_number', 'ui.panels', 'bridge.shape.shape'))
 
 NAMES = ('nurbs patch', 'teapot', 'nurbs', 'cubic', 'hermite', 'many curves')
 
@@ -80,7 +80,7 @@ def test_undo_and_redo_take_it_back_and_forth_among_moves_and_across_the_border(
 
 
 def test_all_settings_of_faces_come_back():
-    ob = add(part('core.starters').nurbs_patch((3, 3), (5, 5), ('CLAMPED', 'PERIODIC')))
+    ob = add(part('core.shape.starters').nurbs_patch((3, 3), (5, 5), ('CLAMPED', 'PERIODIC')))
     enter()
     seen = [state()]
     for name, value in (('tolerance', 0.05), ('mode', 'TOLERANCE'), ('mode', 'BOTH'), ('angle', 0.1), ('sharp_angle', 0.5)):
@@ -117,7 +117,7 @@ def test_a_drag_goes_on_with_the_new_faces():
     for _ in range(2):
         move(0, 0, 0.5)
         state()
-    live.settle(bpy.data.objects["shape"].data)
+    live.finalize(bpy.data.objects["shape"].data)
     assert state()[0] == 9
 
 
@@ -168,7 +168,7 @@ def test_a_recipe_stays_a_recipe(operator):
     push("select")
     move(0, 0, 1)
     moved = state()
-    assert moved[0] == 40 and part('bridge.recipes').has_points(bpy.data.objects["shape"].data)
+    assert moved[0] == 40 and part('bridge.recipes.recipes').has_points(bpy.data.objects["shape"].data)
     for _ in range(2):
         bpy.ops.ed.undo()
     assert state()[0] == 40
@@ -203,8 +203,8 @@ def test_nets_that_were_opened_with_their_file_take_the_settings_as_they_are(tmp
     settings().resolution_u = 7
     push()
     path = str(tmp_path / "net.blend")
-    part('bridge.file_state').state.sessions.clear()        # as after loading
-    live.pull(bpy.context.object)
+    part('bridge.data.file_state').state.sessions.clear()        # as after loading
+    live.sync_from_cage(bpy.context.object)
     assert state()[0] == 7
     bpy.ops.wm.save_as_mainfile(filepath=path)
     bpy.ops.wm.open_mainfile(filepath=path)

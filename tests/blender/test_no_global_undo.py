@@ -8,7 +8,7 @@ from shapes import VALUES, activate, add, enter, first_point, leave, move, numbe
 from support import part
 from test_files import reopen, save
 
-editing, live, net_object = part('ui.editing'), part('bridge.net.live'), part('bridge.net.net_object')
+editing, live, net_object = part('ui.editing'), part('bridge.net.live'), part('bridge.cage.net_object')
 
 
 @pytest.fixture(autouse=True)

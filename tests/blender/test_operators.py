@@ -52,7 +52,7 @@ def test_no_preset_holds_a_place_a_name_or_a_number_of_a_piece(name):
 @pytest.mark.parametrize('name', ('import_bpt', 'export_bpt', 'import_json'))
 def test_presets_of_files_hold_no_path_though_the_file_browser_shows_it_again(name):
     known = getattr(bpy.ops.splinewright, name).get_rna_type().properties['filepath']
-    assert known.is_skip_preset if part('bridge.versions').has_skip_preset else known.is_skip_save
+    assert known.is_skip_preset if part('bridge.data.versions').has_skip_preset else known.is_skip_save
 
 
 def test_what_is_done_is_an_undo_step_of_its_name(capfd):
@@ -86,7 +86,7 @@ def test_the_object_that_was_followed_last_is_forgotten():
     op(bpy.ops.splinewright.follow_object, source="first")
     activate(second)
     op(bpy.ops.splinewright.follow_object)
-    assert part('bridge.recipes').read_inputs(bpy.context.object.data) == [second] != [first]
+    assert part('bridge.recipes.recipes').read_inputs(bpy.context.object.data) == [second] != [first]
 
 
 @pytest.mark.parametrize('name, make', (

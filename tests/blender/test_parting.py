@@ -9,9 +9,9 @@ from patches import meetings, value_of
 from shapes import VALUES, activate, add, enter, leave, op, require_exact
 from support import part, splinecore as sc
 
-Look, replacing = part('bridge.look').Look, part('bridge.replacing')
+Look, replacing = part('bridge.data.shading').Look, part('bridge.edit.replace_pieces')
 hand, recipes, selection, shape, store, live = (part(name) for name in (
-    'ui.hand', 'bridge.recipes', 'bridge.net.selection', 'bridge.shape', 'bridge.store', 'bridge.net.live'))
+    'ui.active_shape', 'bridge.recipes.recipes', 'bridge.net.selection', 'bridge.shape.shape', 'bridge.data.store', 'bridge.net.live'))
 
 
 def pieces(ob):
@@ -115,7 +115,7 @@ def select_rows(net, rows):
     session = live.known_session(net.data)
     vertices = np.flatnonzero(np.isin(session.net.rows, rows))
     selection.select(net, session.net, vertices)
-    part('bridge.file_state').state.selected.clear()
+    part('bridge.data.file_state').state.selected.clear()
 
 
 def test_in_a_net_the_patches_whose_points_are_all_selected():

@@ -10,8 +10,8 @@ from patches import patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import corner_normals, part, splinecore as sc, vertices
 
-Look = part('bridge.look').Look
-mesh_layers, mesh_looks, shape = (part(f'bridge.{name}') for name in ('mesh_layers', 'mesh_looks', 'shape'))
+Look = part('bridge.data.shading').Look
+mesh_layers, mesh_looks, shape = (part(f'bridge.{name}') for name in ('mesh.mesh_layers', 'mesh.mesh_looks', 'shape.shape'))
 AT = {'parameter_u': 0.3, 'parameter_v': 0.3}
 
 

@@ -11,7 +11,7 @@ from patches import DIRECTIONS, farthest, meetings, patches_of, value_of
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-extract, store = part('ui.operators.extract'), part('bridge.store')
+extract, store = part('ui.operators.extract'), part('bridge.data.store')
 KEPT_EDGES = (('insert_knot', {'where': 'SPANS'}), ('raise_degree', {'times': 2}), ('reverse', {}),
               ('reparameterize', {'end': 3.0}),
               ('reparameterize', {'how': 'MOEBIUS', 'rho': 1.0}), ('swap_uv', {}), ('to_nurbs', {}))

@@ -9,7 +9,7 @@ from patches import value_of
 from shapes import OF_CURVES, OF_PATCHES, activate, add, by_hand, enter, leave, names_of, op, shown
 from support import part, scene_state, splinecore as sc
 
-extract, store = part('ui.operators.extract'), part('bridge.store')
+extract, store = part('ui.operators.extract'), part('bridge.data.store')
 
 
 def state(ob):

@@ -12,7 +12,7 @@ from shapes import activate, add, op
 from support import part, splinecore as sc
 
 hand, landmarks, picking, surveys, verbs = (part(name) for name in (
-    'ui.hand', 'core.landmarks', 'ui.picking', 'bridge.surveys', 'core.verbs'))
+    'ui.active_shape', 'core.surfaces.outlines', 'ui.picking', 'bridge.analysis.surveys', 'core.verbs.verbs'))
 
 
 class Called:
@@ -130,7 +130,7 @@ KINDS = ('many curves', 'semicircle', 'periodic', 'closed hermite', 'nurbs patch
 
 @pytest.mark.parametrize('kind', KINDS)
 def test_a_number_lies_on_its_piece_and_the_outline_around_it(kind):
-    definition = part('bridge.store').read(add(value_of(kind)).data)
+    definition = part('bridge.data.store').read(add(value_of(kind)).data)
     pieces = verbs.pieces_of(definition)
     middles = landmarks.middles(pieces)
     assert middles.shape == (len(pieces), 3) and np.isfinite(middles).all()

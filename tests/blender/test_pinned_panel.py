@@ -10,7 +10,7 @@ from layouts import drawn_by
 from shapes import VALUES, activate, add, enter, leave, op, require_exact, shown
 from support import part
 
-panels, shape = part('ui.panels'), part('bridge.shape')
+panels, shape = part('ui.panels'), part('bridge.shape.shape')
 PANEL = panels.SPLINEWRIGHT_PT_data
 
 

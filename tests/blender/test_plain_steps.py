@@ -10,7 +10,7 @@ from shapes import VALUES, add, enter, leave, move, require_exact, select
 from support import part, splinecore as sc
 
 cage, dragging, file_state, live, net_object, store = (part(name) for name in (
-    'bridge.net.cage', 'bridge.net.dragging', 'bridge.file_state', 'bridge.net.live', 'bridge.net.net_object', 'bridge.store'))
+    'bridge.cage.cage', 'bridge.net.dragging', 'bridge.data.file_state', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store'))
 
 
 def step(held, *rows, by=(0.0, 0.0, 0.01)):
@@ -27,10 +27,10 @@ def pulls(monkeypatch):
     """How often a net was pulled as a whole."""
     found = []
 
-    def pull(*arguments, work=live.pull):
+    def pull(*arguments, work=live.sync_from_cage):
         found.append(arguments)
         return work(*arguments)
-    monkeypatch.setattr(live, 'pull', pull)
+    monkeypatch.setattr(live, 'sync_from_cage', pull)
     return found
 
 
@@ -64,10 +64,10 @@ def test_steps_go_by_the_step_before_with_its_bits(name, pulls):
         require_exact(ob)
     assert not pulls and store.is_draft(ob.data)
     assert store.pool(ob.data).tobytes() == as_whole(held).tobytes()
-    assert live.session(held.data).points.tobytes() == cage.said(held).positions.tobytes()
+    assert live.session(held.data).points.tobytes() == cage.snapshot(held).positions.tobytes()
     step(held, 7, 2, 11)
     require_exact(ob)
-    live.settle(ob.data)
+    live.finalize(ob.data)
     require_exact(ob)
     assert not store.is_draft(ob.data)
     leave()
@@ -105,7 +105,7 @@ def a_new_point(ob, held):
 
 
 def an_end(ob, held):
-    live.settle(ob.data)
+    live.finalize(ob.data)
 
 
 @pytest.mark.parametrize('what', (other_settings, another_definition, a_weight, a_new_point, an_end))

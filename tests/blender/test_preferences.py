@@ -82,7 +82,7 @@ def test_angles_and_the_parameters_of_recipes_are_told_apart(wanted):
     op(bpy.ops.splinewright.add_surface_formula)
     assert (settings().mode, settings().angle, settings().tolerance) == ('BOTH', 0.5, 0.125)
     data = bpy.context.object.data
-    assert part('bridge.recipes').parameters(data)['tolerance'] == table.RECIPES['surface_formula'].parameters[-1].default
+    assert part('bridge.recipes.recipes').parameters(data)['tolerance'] == table.RECIPES['surface_formula'].parameters[-1].default
 
 
 def test_surfaces_from_curves_and_imported_shapes_are_shown_as_the_preferences_say(wanted, tmp_path):

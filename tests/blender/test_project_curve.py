@@ -9,7 +9,7 @@ import patches
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-follow, recipes, projecting = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'core.projecting'))
+follow, recipes, projecting = (part(name) for name in ('bridge.follow.follow', 'bridge.recipes.recipes', 'core.meets.projecting'))
 
 
 def sphere(scale=(1, 1, 1)):

@@ -9,7 +9,7 @@ import curves
 from shapes import activate, add, op
 from support import part
 
-projecting = part('core.projecting')
+projecting = part('core.meets.projecting')
 RNG = np.random.default_rng(5)
 
 

@@ -12,7 +12,7 @@ from shapes import activate, add, enter, leave, numbers_of, op, require_exact, s
 from support import part, splinecore as sc
 
 live, pulling, pull_keys, store, shape = (part(name) for name in (
-    'bridge.net.live', 'core.pulling', 'ui.pull_keys', 'bridge.store', 'bridge.shape'))
+    'bridge.net.live', 'core.deform.pulling', 'ui.pull_keys', 'bridge.data.store', 'bridge.shape.shape'))
 CURVES = ('cubic', 'rational cubic', 'quintic', 'semicircle', 'hermite', 'hermite with corners', 'closed hermite', 'nurbs',
           'periodic', 'uniform', 'circle', 'three knots')
 PATCHES = ('bezier patch', 'hermite patch', 'ferguson', 'nurbs patch', 'rational nurbs', 'both periodic', 'bicubic',
@@ -37,7 +37,7 @@ def middle(ob, number=1):
 
 
 def pieces(ob):
-    return part('core.verbs').pieces_of(store.read(ob.data))
+    return part('core.verbs.verbs').pieces_of(store.read(ob.data))
 
 
 def world(ob, number, at):
@@ -62,7 +62,7 @@ def test_in_object_mode_the_point_arrives(kind):
     after = store.read(ob.data)
     assert np.allclose(world(ob, 1, middle(ob)) - start, BY, rtol=0, atol=1e-6)
     assert (after.pool[:, 3] == before.pool[:, 3]).all() and moved_rows(before, after).any()
-    assert part('core.definition').have_same_pieces(before, after)
+    assert part('core.shape.definition').have_same_pieces(before, after)
     require_exact(ob)
     bpy.ops.ed.undo()
     ob = bpy.data.objects[name]
@@ -84,10 +84,10 @@ def test_in_the_net_it_is_the_same_and_one_step_of_undo(kind):
     require_exact(ob)
     bpy.ops.ed.undo()
     ob = bpy.data.objects[name]
-    live.pull(bpy.context.object)
+    live.sync_from_cage(bpy.context.object)
     assert bpy.context.mode.startswith('EDIT') and store.read(ob.data).pool.tobytes() == before.pool.tobytes()
     bpy.ops.ed.redo()
-    live.pull(bpy.context.object)
+    live.sync_from_cage(bpy.context.object)
     assert store.read(bpy.data.objects[name].data).pool.tobytes() == after.pool.tobytes()
     leave()
     require_exact(bpy.data.objects[name])
@@ -108,7 +108,7 @@ def test_neighbors_go_along(in_net):
 
 
 def store_edges(ob):
-    return part('core.definition').to_patch_set(store.read(ob.data)).edge_counts()
+    return part('core.shape.definition').to_patch_set(store.read(ob.data)).edge_counts()
 
 
 def test_a_closed_surface_of_one_patch_stays_closed():
@@ -163,7 +163,7 @@ def test_several_pulls_after_other_edits_keep_what_does_not_move():
     net = enter()
     select(net, 7)
     bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0, 0, 1))
-    live.pull(net)
+    live.sync_from_cage(net)
     before = store.read(ob.data)
     (start, _) = pieces(ob)[0].domain
     for _ in range(3):
@@ -178,7 +178,7 @@ def test_a_net_that_has_gained_points_is_pulled_with_them():
     net = enter()
     select(net, 2, 3)
     assert bpy.ops.curve.subdivide('EXEC_DEFAULT', True) == {'FINISHED'}
-    live.pull(net)
+    live.sync_from_cage(net)
     before = pieces(ob)[0]
     assert len(before.points) == 9
     u = float(np.float32(before.knots[5]))
@@ -224,7 +224,7 @@ def test_refusals_change_nothing(in_net):
         assert store.read(held.data).pool.tobytes() == before.pool.tobytes()
         require_exact(held)
         if in_net:
-            live.pull(bpy.context.object)
+            live.sync_from_cage(bpy.context.object)
             assert live.problem(bpy.context.object) == ""
             leave()
     other.scale = (0, 1, 1)

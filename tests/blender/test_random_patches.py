@@ -8,7 +8,7 @@ from support import part, vertices
 from test_random_walk import LARGEST, MOST_OBJECTS, SEED, Walk, run
 
 mesh_layers, overlay, shape, store, surveys = (part(name) for name in (
-    'bridge.mesh_layers', 'ui.seams_overlay', 'bridge.shape', 'bridge.store', 'bridge.surveys'))
+    'bridge.mesh.mesh_layers', 'ui.seams_overlay', 'bridge.shape.shape', 'bridge.data.store', 'bridge.analysis.surveys'))
 VERBS = names_of(OF_PATCHES)
 KINDS = (*MORE, 'bezier patch', 'hermite patch', 'nurbs patch', 'mixed set')
 STEPS = 400

@@ -12,8 +12,8 @@ from shapes import OF_CURVES, OF_PATCHES, VALUES, activate, add, names_of, numbe
 from support import part, splinecore as sc
 
 editing, handlers, live, net_object, selection, recipes, shape, store = (part(name) for name in (
-    'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'bridge.recipes',
-    'bridge.shape', 'bridge.store'))
+    'ui.editing', 'ui.handlers', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.net.selection', 'bridge.recipes.recipes',
+    'bridge.shape.shape', 'bridge.data.store'))
 
 STEPS = int(os.environ.get('SPLINEWRIGHT_STEPS', 10_000))
 SEED = int(os.environ.get('SPLINEWRIGHT_SEED', 20261121))
@@ -71,7 +71,7 @@ class Walk:
         for ob in self.shapes():
             ours = ob.mode == 'OBJECT' and not (ob.library or ob.data.library or ob.data.shape_keys)
             if ours and not shape.is_touched(ob.data):
-                live.settle(ob.data)
+                live.finalize(ob.data)
                 require_exact(ob)
                 self.checked += 1
 

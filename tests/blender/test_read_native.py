@@ -12,7 +12,7 @@ native = part('core.native.native')
 read_native = part('bridge.native.read_native')
 measure = part('bridge.native.measure_native')
 Direction, Flags = native.Direction, native.Flags
-SAMPLING = part('bridge.versions').sampling
+SAMPLING = part('bridge.data.versions').sampling
 #: Blender's rounding, relative to the size: see test_against_blender.py.
 CURVE_TOLERANCE = 2e-5
 SURFACE_TOLERANCE = 1e-4

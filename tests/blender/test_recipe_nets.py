@@ -8,7 +8,7 @@ from shapes import enter, leave, move, numbers_of, op, require_exact, select
 from support import part
 
 editing, live, net_object, selection, net_props, recipes, table = (part(name) for name in (
-    'ui.editing', 'bridge.net.live', 'bridge.net.net_object', 'bridge.net.selection', 'ui.net_props', 'bridge.recipes',
+    'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.net.selection', 'ui.net_props', 'bridge.recipes.recipes',
     'core.recipes.table'))
 ANY_COUNT = [recipe.kind for recipe in table.STARTING if recipe.has_any_count]
 CLOSING = [kind for kind in ANY_COUNT if table.RECIPES[kind].can_close]
@@ -23,7 +23,7 @@ def add_recipe(kind='catmull_rom', **settings):
     ob = bpy.context.object
     ob.name = ob.data.name = "shape"
     points = recipes.points(ob.data)
-    part('bridge.remaking').set_points(ob.data, points * THIRD + 0.1)
+    part('bridge.shape.recipe_edit').set_points(ob.data, points * THIRD + 0.1)
     bpy.ops.ed.undo_push(message="add")
     assert (recipes.points(ob.data) != recipes.points(ob.data).astype(np.float32)).any()
     return ob, recipes.points(ob.data), enter()

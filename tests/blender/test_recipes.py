@@ -12,7 +12,7 @@ from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, re
 from support import curve_points, part, splinecore as sc
 
 made, selection, recipes, shape, store, table = (part(name) for name in (
-    'bridge.remaking', 'bridge.net.selection', 'bridge.recipes', 'bridge.shape', 'bridge.store', 'core.recipes.table'))
+    'bridge.shape.recipe_edit', 'bridge.net.selection', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store', 'core.recipes.table'))
 RECIPES = {recipe.kind: recipe for recipe in table.STARTING}
 WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
 
@@ -303,7 +303,7 @@ def test_a_conic_through_five_points_is_drawn_through_them_however_far_it_runs(k
     ob = add_recipe('five_points')
     rows = np.column_stack([x, x * x + k * x ** 3, 0 * x])
     ob.data.splinewright.resolution_u = 1024
-    part('bridge.remaking').set_points(ob.data, rows)
+    part('bridge.shape.recipe_edit').set_points(ob.data, rows)
     drawn = shown(ob).astype(float)
     assert farthest_from(ob, rows) <= 10 * (1 + 1e-6)
     for row in rows:

@@ -13,9 +13,9 @@ from shapes import VALUES, activate, add, enter, leave, move, op, require_exact,
 from support import part, splinecore as sc
 
 causes, derived, follow, held, placing, readings, recipes, sections, sections_overlay, store, surveys = (part(name) for name in (
-    'bridge.causes', 'bridge.derived', 'bridge.follow', 'core.held', 'bridge.placing', 'bridge.readings', 'bridge.recipes', 'core.sections',
-    'ui.sections_overlay', 'bridge.store', 'bridge.surveys'))
-state = part('bridge.file_state').state
+    'bridge.recipes.causes', 'bridge.follow.recipe_results', 'bridge.follow.follow', 'core.joints.held', 'bridge.recipes.placing', 'bridge.data.readings', 'bridge.recipes.recipes', 'core.surfaces.sections',
+    'ui.sections_overlay', 'bridge.data.store', 'bridge.analysis.surveys'))
+state = part('bridge.data.file_state').state
 
 
 @contextlib.contextmanager
@@ -39,7 +39,7 @@ def sidebar():
 
 def other_pool(ob, by=0.25):
     """Give a shape other points, as its net does."""
-    part('bridge.shape').set_value(ob.data, _moved(part('bridge.shape').value_of(ob.data), by))
+    part('bridge.shape.shape').set_value(ob.data, _moved(part('bridge.shape.shape').value_of(ob.data), by))
     bpy.context.view_layer.update()
 
 
@@ -149,7 +149,7 @@ def test_what_is_kept_of_readings_has_a_limit(monkeypatch):
         store.read(ob.data)
         assert len(state.readings) <= 5
     big = add(sc.BezierCurve(np.random.default_rng(5).uniform(size=(60, 3))), "big")
-    assert len(store.read(big.data).pool) == 60 and list(state.readings) == [part('bridge.file_state').key(big.data)]
+    assert len(store.read(big.data).pool) == 60 and list(state.readings) == [part('bridge.data.file_state').key(big.data)]
 
 
 def test_numbers_of_sections_are_worked_out_at_changes_alone(monkeypatch):

@@ -88,7 +88,7 @@ PROBE = """
 import addon_utils, bpy, sys
 module = addon_utils.enable('splinewright', default_set=True, persistent=True)
 assert module is not None, "not enabled"
-from splinewright.core import library
+from splinewright.core.base import library
 from splinewright.ui import preferences
 assert library.problem, "no problem seen"
 assert not hasattr(bpy.types.Mesh, 'splinewright')

@@ -27,9 +27,9 @@ def said(capfd):
 
 def test_the_worst_is_last_and_gives_the_kind():
     operator = _Operator()
-    assert reports.finished(operator, reports.Said("Done", ("a note",), ("a loss",))) == {'FINISHED'}
-    assert reports.finished(operator, reports.Said("Done", ("a note",))) == {'FINISHED'}
-    assert reports.finished(operator, reports.Said()) == {'FINISHED'}
+    assert reports.finished(operator, reports.Report("Done", ("a note",), ("a loss",))) == {'FINISHED'}
+    assert reports.finished(operator, reports.Report("Done", ("a note",))) == {'FINISHED'}
+    assert reports.finished(operator, reports.Report()) == {'FINISHED'}
     assert reports.cancelled(operator, "first", "second") == {'CANCELLED'}
     assert operator.said == [('WARNING', "Done; a note; a loss"), ('INFO', "Done; a note"), ('ERROR', "first; second")]
 

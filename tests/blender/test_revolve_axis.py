@@ -11,7 +11,7 @@ from test_files import reopen, save
 from test_surfaces import add_recipe
 
 axis_overlay, follow, placing, recipes, shape = (part(name) for name in (
-    'ui.axis_overlay', 'bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.shape'))
+    'ui.axis_overlay', 'bridge.follow.follow', 'bridge.recipes.placing', 'bridge.recipes.recipes', 'bridge.shape.shape'))
 PROFILE = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(1, 0, 0), (2, 0, 1), (1, 0, 2)], [1, 0.5, 1])
 PLACES = (Matrix.Translation((3, 0.5, -1)), Matrix.Rotation(0.6, 4, 'X') @ Matrix.Translation((0, 4, 0)),
           Matrix.Translation((9, 8, 7)) @ Matrix.Rotation(2, 4, (1, 2, 3)) @ Matrix.Scale(2.5, 4))
@@ -130,7 +130,7 @@ def test_the_shape_itself_and_its_followers_are_no_axis():
         ob.data.splinewright_parameters.frame = wrong
         assert ob.data.splinewright_parameters.frame is None and recipes.read(ob.data).frames == ()
         assert ob.data.splinewright.value == before
-    assert "would follow itself" in part('bridge.problems').of(ob.data, part('bridge.problems').SETTING)
+    assert "would follow itself" in part('bridge.data.problems').of(ob.data, part('bridge.data.problems').SETTING)
 
 
 def test_a_flat_axis_object_and_one_that_is_gone_are_said_and_the_shape_stays():

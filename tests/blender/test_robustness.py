@@ -9,7 +9,7 @@ import pytest
 from shapes import VALUES, add
 from support import corner_normals, part, scene_state, splinecore as sc
 
-store = part('bridge.store')
+store = part('bridge.data.store')
 SQUARE = np.array([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]], float)
 
 
@@ -27,8 +27,8 @@ def ring(count):
 
 
 COARSE = {
-    'teapot 1 x 1': (lambda: part('core.starters').teapot(), (1, 1)),
-    'teapot 1 x 2': (lambda: part('core.starters').teapot(), (1, 2)),
+    'teapot 1 x 1': (lambda: part('core.shape.starters').teapot(), (1, 1)),
+    'teapot 1 x 2': (lambda: part('core.shape.starters').teapot(), (1, 2)),
     'two points around': (lambda: ring(2), (1, 1)),
     'three points around': (lambda: ring(3), (1, 1)),
     'the same patch twice': (lambda: sc.PatchSet.from_patches([sc.BezierPatch(SQUARE)] * 2), (1, 1)),
@@ -200,7 +200,7 @@ def test_a_byte_order_mark_and_windows_lines_are_read_and_foreign_digits_are_not
 
 
 def test_the_panel_text_of_every_kind_tells_degree_counts_and_knots():
-    lines, definition = part('core.describe').lines, part('core.definition').from_value
+    lines, definition = part('core.shape.describe').lines, part('core.shape.definition').from_value
     patch = sc.NurbsPatch((1, 2), ([0, 0, 1, 1], [0, 1, 2, 3]), np.ones((2, 3, 3)), periodic=(False, True))
     assert lines(definition(patch)) == [
         ("Kind", "NURBS patch"), ("Degree", "1 × 2"), ("Points", "2 × 3"), ("Knots U", "4, clamped"), ("", "0 0 1 1"),

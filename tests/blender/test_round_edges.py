@@ -10,7 +10,7 @@ from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
 recipes, follow, problems, sections_overlay, round_here = (part(name) for name in (
-    'bridge.recipes', 'bridge.follow', 'bridge.problems', 'ui.sections_overlay', 'ui.operators.round_here'))
+    'bridge.recipes.recipes', 'bridge.follow.follow', 'bridge.data.problems', 'ui.sections_overlay', 'ui.operators.round_here'))
 SQUARE = sc.build.contour([(0, 0, 0), (3, 0, 0), (3, 2, 0), (0, 2, 0)], closed=True)
 
 

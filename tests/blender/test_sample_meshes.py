@@ -29,7 +29,7 @@ def patch_sets(name):
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLES / f"{name}.blend"))
     found = {}
     for ob in bpy.data.objects:
-        if ob.type == 'MESH' and part('bridge.shape').has_shape(ob):
+        if ob.type == 'MESH' and part('bridge.shape.shape').has_shape(ob):
             value = ob.data.splinewright.value
             patches = value if isinstance(value, sc.PatchSet) else sc.PatchSet.from_patches([value])
             found[ob.name] = patches if len(patches) <= MOST else sc.PatchSet.from_patches(list(patches)[:MOST])
@@ -58,7 +58,7 @@ def test_shapes_of_a_sample_hold_together_by_count(name, resolution):
 def test_shapes_of_a_sample_hold_together_as_they_were_saved(name):
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLES / f"{name}.blend"))
     saved = {ob.name: (ob.data.splinewright.resolution_u, ob.data.splinewright.resolution_v)
-             for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape').has_shape(ob)}
+             for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape.shape').has_shape(ob)}
     for ob, patches in patch_sets(name).items():
         mesh_checks.check(patches, sc.Tessellation(patches, saved[ob]))
 

@@ -9,7 +9,7 @@ from layouts import drawn_by
 from shapes import op, require_exact
 from support import part
 
-add_sample, follow, recipes, shape = (part(name) for name in ('ui.operators.add_sample', 'bridge.follow', 'bridge.recipes', 'bridge.shape'))
+add_sample, follow, recipes, shape = (part(name) for name in ('ui.operators.add_sample', 'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape'))
 NAMES = [name for name, _, _ in add_sample.SAMPLES]
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from support import curve_points, part, splinecore as sc, vertices
 
-recipes = part('bridge.recipes')
+recipes = part('bridge.recipes.recipes')
 SAMPLES = Path(__file__).resolve().parents[2] / "blend_samples"
 NAMES = sorted(path.stem.removeprefix("make_") for path in SAMPLES.glob("make_*.py"))
 
@@ -30,14 +30,14 @@ def test_a_sample_has_its_scene_and_its_picture(name):
 @pytest.mark.parametrize('name', NAMES)
 def test_every_shape_of_a_sample_shows_its_definition(name):
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLES / f"{name}.blend"))
-    shapes = [ob for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)]
+    shapes = [ob for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)]
     assert shapes
     for ob in shapes:
-        assert not part('bridge.shape').is_touched(ob.data), ob.name
+        assert not part('bridge.shape.shape').is_touched(ob.data), ob.name
         settings, value = ob.data.splinewright, ob.data.splinewright.value
         if ob.type == 'CURVE':
             curves = value if isinstance(value, list) else [value]
-            reach = settings.resolution_u, settings.reach, part('bridge.recipes').around(ob.data)
+            reach = settings.resolution_u, settings.reach, part('bridge.recipes.recipes').around(ob.data)
             lines = [points for curve in curves for points, _ in curve.polylines(*reach)]
             assert len(lines) == len(ob.data.splines)
             for spline, points in zip(ob.data.splines, lines):
@@ -50,7 +50,7 @@ def test_every_shape_of_a_sample_shows_its_definition(name):
 
 def opened(name):
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLES / f"{name}.blend"))
-    return {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)}
+    return {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)}
 
 
 def test_five_inner_knots_of_degree_5_are_merged_one_after_the_other():
@@ -118,7 +118,7 @@ def test_solids_are_recipes_whose_radius_is_within_what_the_picture_says():
 def change_and_follow(source, followers):
     """Moves the points of a curve; asserts that all that was made of it, and nothing else, follows."""
     before = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects
-              if ob.type == 'MESH' and part('bridge.shape').has_shape(ob)}
+              if ob.type == 'MESH' and part('bridge.shape.shape').has_shape(ob)}
     curve = source.data.splinewright.value
     bend = lambda piece: piece.with_points(piece.points * (1.25, 1.25, 1))
     source.data.splinewright.value = [bend(piece) for piece in curve] if isinstance(curve, list) else bend(curve)
@@ -233,7 +233,7 @@ def test_the_sections_of_the_bottle_lie_on_it_and_follow_its_profile():
         bpy.context.view_layer.update()
         for name in ("Rings", "Upright section", "Oblique section", "Where a pipe meets it"):
             ob = bpy.data.objects[name]
-            assert part('bridge.follow').problem(ob.data) == ""
+            assert part('bridge.follow.follow').problem(ob.data) == ""
             into = np.array(bottle.matrix_world.inverted() @ ob.matrix_world)
             value = ob.data.splinewright.value
             for curve in value if isinstance(value, list) else [value]:
@@ -271,7 +271,7 @@ def test_the_kettle_and_the_boat_follow_their_curves():
         before = opened(name)
         bpy.data.objects[moved].location.z += 0.1
         bpy.context.view_layer.update()
-        after = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)}
+        after = {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)}
         assert {changed for changed in after if after[changed] != before[changed]} == followers
 
 
@@ -284,7 +284,7 @@ def changed_by(change, before):
     change()
     bpy.context.view_layer.update()
     shapes = {name: bpy.data.objects[name] for name in before}
-    assert not any(part('bridge.follow').problem(ob.data) for ob in shapes.values())
+    assert not any(part('bridge.follow.follow').problem(ob.data) for ob in shapes.values())
     return {name for name, ob in shapes.items() if ob.data.splinewright.value != before[name]}
 
 

@@ -7,7 +7,7 @@ import pytest
 from shapes import activate, add, op
 from support import part, splinecore as sc
 
-recipes, scene_tolerance = part('bridge.recipes'), part('bridge.scene_tolerance')
+recipes, scene_tolerance = part('bridge.recipes.recipes'), part('bridge.follow.scene_tolerance')
 WAVE = np.array([(0, 0, 0), (1, 2.0, 0), (2, -2.0, 0), (3, 0, 0)])
 
 

@@ -8,7 +8,7 @@ from shapes import VALUES, add, enter, leave, move, select
 from support import part, splinecore as sc
 
 colors, definitions, overlay, panel, seams, starters, surveys = (part(name) for name in (
-    'ui.colors', 'core.definition', 'ui.seams_overlay', 'ui.continuity_panel', 'core.seams', 'core.starters', 'bridge.surveys'))
+    'ui.colors', 'core.shape.definition', 'ui.seams_overlay', 'ui.continuity_panel', 'core.joints.seams', 'core.shape.starters', 'bridge.analysis.surveys'))
 
 
 def pair(height, slope=0.0):

@@ -5,7 +5,7 @@ import pytest
 
 from support import part, scene_state, splinecore as sc
 
-core, bridge = part('core.self_test'), part('bridge.self_test')
+core, bridge = part('core.base.self_test'), part('bridge.edit.self_test')
 
 
 def test_it_passes_and_says_what_it_tried(capsys):

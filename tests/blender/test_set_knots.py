@@ -7,7 +7,7 @@ from patches import value_of
 from shapes import add, enter, op, require_exact
 from support import part
 
-knots, store = part('core.knots'), part('bridge.store')
+knots, store = part('core.verbs.knots'), part('bridge.data.store')
 
 
 def text_of(ob, piece=0, axis=0):
@@ -55,8 +55,8 @@ def test_where_the_net_does_not_come_out_again_the_knots_are_changed_and_it_is_t
     enter()
 
     def refuse(*_):
-        raise part('core.failures').Refusal("there is no room")
-    monkeypatch.setattr(part('bridge.net.net_object'), 'make', refuse)
+        raise part('core.base.failures').Refusal("there is no room")
+    monkeypatch.setattr(part('bridge.cage.net_object'), 'make', refuse)
     assert op(bpy.ops.splinewright.set_knots, axis='V', knots="0 1 2 3 9") == {'FINISHED'}
     assert "Warning: the net did not come out again: there is no room" in capfd.readouterr().out
     ob = bpy.data.objects["shape"]

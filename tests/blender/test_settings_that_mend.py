@@ -83,7 +83,7 @@ def test_new_shapes_have_no_roundings(name):
               'add_nurbs_patch': {'knots_u': 'PERIODIC', 'knots_v': 'PERIODIC'}}
     for settings in ({}, closed.get(name, {})):
         getattr(bpy.ops.splinewright, name)(**settings)
-        for number in part('bridge.store').read(bpy.context.object.data).pool.ravel():
+        for number in part('bridge.data.store').read(bpy.context.object.data).pool.ravel():
             assert number == 0 and str(number) == "0.0" or abs(number) > 1e-12, number
 
 
@@ -103,5 +103,5 @@ def test_the_median_and_the_space_of_selected_points():
     points.median = (points.median[0], 0.1, 1.5)
     bpy.context.view_layer.update()
     leave()
-    found = part('bridge.store').read(bpy.data.objects["shape"].data).pool
+    found = part('bridge.data.store').read(bpy.data.objects["shape"].data).pool
     assert found[:, :3].tolist() == [[0, 0, 0], [pytest.approx(1.1), 0.1, 0], [pytest.approx(2.1), 0.1, 3]]

@@ -9,9 +9,9 @@ from shapes import KINDS, VALUES, activate, add, enter, leave, move, select
 from support import part, splinecore as sc
 
 combs, definitions, faces, frames, lines, overlay, paint, panel, polygon, seen, store = (part(name) for name in (
-    'core.sights.combs', 'core.definition', 'core.sights.faces', 'core.sights.frames', 'core.sights.lines',
-    'ui.sights_overlay', 'ui.surface_paint', 'ui.sights_panel', 'core.sights.polygon', 'bridge.sights',
-    'bridge.store'))
+    'core.analysis.combs', 'core.shape.definition', 'core.analysis.faces', 'core.analysis.frames', 'core.analysis.lines',
+    'ui.analysis_overlay', 'ui.surface_paint', 'ui.analysis_panel', 'core.analysis.polygon', 'bridge.analysis.overlays',
+    'bridge.data.store'))
 FLAT = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 3, 3, 3], [0, 0, 1, 1]),
                      [[(x, y, 0) for y in (0, 4)] for x in (0, 0.5, 2, 3)])
 
@@ -28,8 +28,8 @@ def quarter():
 @pytest.fixture
 def chosen():
     """The switches, all off again in the end."""
-    yield seen.of(bpy.context.scene)
-    found = seen.of(bpy.context.scene)  # another file may be open
+    yield bpy.context.scene.splinewright_sights
+    found = bpy.context.scene.splinewright_sights  # another file may be open
     for name in found.bl_rna.properties.keys():
         if name not in ('rna_type', 'name'):
             found.property_unset(name)
@@ -315,8 +315,8 @@ def test_a_damaged_shape_shows_nothing_and_raises_nothing():
     ob = add(VALUES['bezier patch']())
     ob.data[store.KEY]['structure'] = "no"
     assert seen.kept(ob.data, 'polygon', (), seen.polygon_of) is None
-    assert all(part('ui.sights_strokes').prepared(sight, ob.data, seen.of(bpy.context.scene)) == ()
-               for sight in part('ui.sights_strokes').SIGHTS)
+    assert all(part('ui.analysis_lines').prepared(sight, ob.data, bpy.context.scene.splinewright_sights) == ()
+               for sight in part('ui.analysis_lines').SIGHTS)
 
 
 def test_shapes_in_hand_are_the_selected_ones_and_that_whose_net_is_out():
@@ -345,7 +345,7 @@ def test_switches_are_off_until_wanted_and_kept_with_the_file(chosen, tmp_path):
     path = str(tmp_path / "kept.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
     bpy.ops.wm.open_mainfile(filepath=path)
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     assert all(getattr(found, name) for name in switches) and found.isocurve_count == 7
 
 
@@ -371,7 +371,7 @@ def test_every_number_beside_a_switch_is_kept_with_the_file_too(chosen, tmp_path
     path = str(tmp_path / "kept.blend")
     bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
     bpy.ops.wm.open_mainfile(filepath=path)
-    found = seen.of(bpy.context.scene)
+    found = bpy.context.scene.splinewright_sights
     for name, value in wanted.items():
         known = getattr(found, name)
         known = known.name if name == 'deviation_object' else known

@@ -11,7 +11,7 @@ from curves import value_of
 from shapes import activate, add, enter, leave, op, require_exact, select
 from support import part, splinecore as sc
 
-follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'ui.sections_overlay'))
+follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow.follow', 'bridge.recipes.recipes', 'ui.sections_overlay'))
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 
@@ -127,7 +127,7 @@ def test_sorting_and_reversing_the_order():
 
 
 def test_an_order_of_ones_own_stays_where_one_is_added():
-    sections = part('core.sections')
+    sections = part('core.surfaces.sections')
     assert sections.with_new([0, 1, 2, 3], 4) == [0, 1, 2, 3]
     assert [n for n in sections.with_new([2, 0, 3, 1], 3) if n < 3] == [0, 1, 2]
     for seed in range(1000):
@@ -259,9 +259,9 @@ def test_a_network_goes_on_from_a_surface_and_says_how_well():
     ob = make('network', *curves, beside)
     assert "angle" in recipes.read(ob.data).said and "to surfaces beside it" in recipes.read(ob.data).said
     patch, other = ob.data.splinewright.value, beside.data.splinewright.value
-    assert part('core.neighbors').angle_to(patch, [(other, 'u_end', 'G1')], 1e-3) < 2e-4
+    assert part('core.surfaces.neighbors').angle_to(patch, [(other, 'u_end', 'G1')], 1e-3) < 2e-4
     apart = make('network', *curves).data.splinewright.value
-    assert part('core.neighbors').angle_to(apart, [(other, 'u_end', 'G1')], 1e-3) > 0.1
+    assert part('core.surfaces.neighbors').angle_to(apart, [(other, 'u_end', 'G1')], 1e-3) > 0.1
 
 
 def test_a_surface_that_is_not_beside_a_network_is_refused():
@@ -401,9 +401,9 @@ def test_curves_of_blender_have_a_radius_too():
     bpy.context.view_layer.update()
     points = np.array([vertex.co for vertex in ob.data.vertices])
     assert np.hypot(points[:, 1], points[:, 2]).max() == pytest.approx(1.0, abs=1e-3)
-    assert not part('bridge.derived').not_followed_by(ob.data, [rail])
+    assert not part('bridge.follow.recipe_results').not_followed_by(ob.data, [rail])
     ob.data.splinewright_parameters.pipe_own_radius = False
-    assert part('bridge.derived').not_followed_by(ob.data, [rail]) == ["the radius"]
+    assert part('bridge.follow.recipe_results').not_followed_by(ob.data, [rail]) == ["the radius"]
 
 
 def test_sections_of_a_sweep_are_as_large_as_the_rail_says():

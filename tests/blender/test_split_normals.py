@@ -9,7 +9,7 @@ from shapes import VALUES, add
 from support import part, splinecore as sc
 
 definition, fineness, mesh_layers, store, write_mesh = (part(name) for name in (
-    'core.definition', 'bridge.fineness', 'bridge.mesh_layers', 'bridge.store', 'bridge.write_mesh'))
+    'core.shape.definition', 'bridge.data.tessellate', 'bridge.mesh.mesh_layers', 'bridge.data.store', 'bridge.mesh.write_mesh'))
 
 
 def shown(mesh):

@@ -9,7 +9,7 @@ from patches import value_of
 from shapes import add, require_exact
 from support import part, splinecore as sc
 
-seams, store = part('core.seams'), part('bridge.store')
+seams, store = part('core.joints.seams'), part('bridge.data.store')
 
 
 def surface(seed, rows, columns, kind):

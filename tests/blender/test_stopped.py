@@ -9,7 +9,7 @@ from shapes import activate, add, op
 from support import part, splinecore as sc
 from test_files import reopen, save
 
-follow, hints, stopped, store = part('bridge.follow'), part('ui.hints'), part('ui.stopped'), part('bridge.store')
+follow, hints, stopped, store = part('bridge.follow.follow'), part('ui.hints'), part('ui.stopped'), part('bridge.data.store')
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 
 
@@ -25,7 +25,7 @@ def loft(count=3):
 
 def said():
     bpy.context.view_layer.update()
-    return {ob.name: why for ob, why in stopped.said(bpy.context.view_layer)}
+    return {ob.name: why for ob, why in stopped.sentence(bpy.context.view_layer)}
 
 
 def panel(ob):

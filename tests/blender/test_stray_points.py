@@ -9,7 +9,7 @@ from shapes import VALUES, add, enter, leave, move, numbers_of, op, require_exac
 from support import part
 
 live, net_object, store, reading = (part(name) for name in (
-    'bridge.net.live', 'bridge.net.net_object', 'bridge.store', 'core.net.reading'))
+    'bridge.net.live', 'bridge.cage.net_object', 'bridge.data.store', 'core.net.reading'))
 
 
 def value():
@@ -273,7 +273,7 @@ def test_copies_that_stay_in_place_give_the_selection_back_and_the_point_is_move
     gesture()
     bpy.context.view_layer.update()
     assert part('ui.net_props').chosen(held.data)[1] == []
-    part('ui.editing').hand_over()
+    part('ui.editing').select_originals()
     bpy.context.view_layer.update()
     assert part('ui.net_props').chosen(held.data)[1] == [8]
     move(0, 0, 1)
@@ -290,7 +290,7 @@ def test_copies_of_a_curves_points_give_the_selection_back_too():
         select(held, *ends(held)[0])
         extruded_at_the_end()
         bpy.context.view_layer.update()
-        part('ui.editing').hand_over()
+        part('ui.editing').select_originals()
         assert part('ui.net_props').chosen(held.data)[1] == [v for v in ends(held)[0] if numbers_of(held).rows[v] >= 0]
         before = store.read(bpy.data.objects[name].data).pool.copy()
         move(0, 0, 1)
@@ -303,7 +303,7 @@ def test_copies_that_were_moved_keep_the_selection():
     held = enter()
     select(held, 8)
     extruded_and_moved()
-    part('ui.editing').hand_over()
+    part('ui.editing').select_originals()
     assert part('ui.net_props').chosen(held.data)[1] == []
 
 

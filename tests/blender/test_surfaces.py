@@ -10,7 +10,7 @@ from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
 follow, recipes, shape, table = (part(name) for name in (
-    'bridge.follow', 'bridge.recipes', 'bridge.shape', 'core.recipes.table'))
+    'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.recipes.table'))
 PRIMITIVES = [recipe.kind for recipe in table.STARTING if recipe.is_surface]
 PROFILE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(1, 0, 0), (1.5, 0, 0.5), (0.5, 0, 1), (1, 0, 1.5), (1.2, 0, 2)])
 

@@ -12,7 +12,7 @@ from layouts import drawn
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow', 'bridge.recipes', 'ui.sections_overlay'))
+follow, recipes, sections_overlay = (part(name) for name in ('bridge.follow.follow', 'bridge.recipes.recipes', 'ui.sections_overlay'))
 ARCH = sc.build.extrude(sc.build.polynomial_through([(0, 0, 0), (0, 0.5, 1), (0, 1, 1.2)]), (2, 0, 0))
 FAR = sc.build.extrude(sc.build.polynomial_through([(0, 2, 1), (0, 2.5, 0.4), (0, 3, 0.2)]), (2, 0, 0))
 FLOOR = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
@@ -181,7 +181,7 @@ def test_a_cube_becomes_the_surface_to_which_it_is_subdivided_and_follows_it():
 
 def crease(mesh, of):
     """The first edge or vertex of a mesh."""
-    if part('bridge.versions').marks_are_attributes:
+    if part('bridge.data.versions').marks_are_attributes:
         mesh.attributes.new(f"crease_{of}", 'FLOAT', 'EDGE' if of == 'edge' else 'POINT').data[0].value = 1.0
         return
     bm = bmesh.new()

@@ -8,7 +8,7 @@ from shapes import activate, require_exact
 from support import curve_points, part, splinecore as sc
 
 follow, placing, recipes, shape, teaching, formulas = (part(name) for name in (
-    'bridge.follow', 'bridge.placing', 'bridge.recipes', 'bridge.shape', 'core.teaching', 'core.formulas'))
+    'bridge.follow.follow', 'bridge.recipes.placing', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.formulas.teaching', 'core.formulas.formulas'))
 
 LINE = np.array([(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 2, 0), (4, 0, 0), (5, 1, 0)], dtype=float)
 KNOTS = {

@@ -51,7 +51,7 @@ def test_normals_point_outward_and_are_exact(teapot):
     normals, co = corner_normals(mesh), vertices(mesh)
     assert np.isfinite(normals).all()
     plan = sc.Tessellation(value, (mesh.splinewright.resolution_u, mesh.splinewright.resolution_v))
-    tolerance = 1e-6 if part('bridge.versions').keeps_exact_normals else 1e-3
+    tolerance = 1e-6 if part('bridge.data.versions').keeps_exact_normals else 1e-3
     assert np.abs(normals - plan.evaluate(value)[1]).max() < tolerance
     corners = np.array([loop.vertex_index for loop in mesh.loops])
     starts = np.append(plan.face_starts, len(corners))
@@ -83,4 +83,4 @@ def test_patches_that_meet_at_an_angle_are_sharp_there():
     assert all(abs(mesh.vertices[v].co.x) < 1e-6 for e in ridge for v in e.vertices)
     mesh.splinewright.sharp_angle = 2.0
     # Where normals are kept as angles, Blender itself makes an edge sharp that carries two custom normals.
-    assert any(e.use_edge_sharp for e in mesh.edges) == (not part('bridge.versions').keeps_exact_normals)
+    assert any(e.use_edge_sharp for e in mesh.edges) == (not part('bridge.data.versions').keeps_exact_normals)

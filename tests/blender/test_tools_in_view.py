@@ -13,7 +13,7 @@ from shapes import VALUES, add, enter, leave, numbers_of, op, require_exact, sel
 from support import part, splinecore as sc
 
 live, typed_number, weight_here, weighing = (part(name) for name in (
-    'bridge.net.live', 'core.typed_number', 'ui.operators.weight_here', 'bridge.net.weighing'))
+    'bridge.net.live', 'core.base.typed_number', 'ui.operators.weight_here', 'bridge.net.weighing'))
 WEIGHTED = ('rational cubic', 'nurbs', 'periodic', 'nurbs patch', 'bezier patch', 'teapot')
 
 
@@ -22,7 +22,7 @@ def value():
 
 
 def pool():
-    return part('bridge.store').read(bpy.data.objects["shape"].data).pool
+    return part('bridge.data.store').read(bpy.data.objects["shape"].data).pool
 
 
 def in_hand(name, count=1):
@@ -119,12 +119,12 @@ def test_what_a_drag_passes_leaves_nothing_behind():
     held, rows = in_hand('nurbs', 2)
     before = value()
     chosen = [(held.name, *weighing.of_selected(held))]
-    typed = len(part('bridge.net.net_object').typed(held.data))
+    typed = len(part('bridge.cage.net_object').typed(held.data))
     for factor in np.linspace(0.5, 3, 50):
         weight_here._put(chosen, lambda weights: weights * factor, is_passing=True)
         assert np.allclose(pool()[rows, 3], chosen[0][2] * factor, rtol=1e-7)
     weight_here._put_back(chosen)
-    assert value() == before and len(part('bridge.net.net_object').typed(held.data)) == typed
+    assert value() == before and len(part('bridge.cage.net_object').typed(held.data)) == typed
 
 
 @pytest.mark.parametrize('base', (1.0, 0.3, -2.0, 1e-3))
@@ -341,49 +341,49 @@ def keys():
 
 @pytest.mark.parametrize('name', ('nurbs', 'nurbs patch'))
 def test_the_status_bar_names_keys_while_a_net_is_out(name, keys):
-    hints, state = part('ui.hints'), part('bridge.file_state').state
-    assert hints.said(bpy.context) == []
+    hints, state = part('ui.hints'), part('ui.ui_state').ui_state
+    assert hints.shown_keys(bpy.context) == []
     add(VALUES[name]())
     enter()
-    assert hints.said(bpy.context) == [
+    assert hints.shown_keys(bpy.context) == [
         (["EVENT_TAB"], "Done"), (["EVENT_CTRL", "EVENT_R"], "Insert Knot"), (["EVENT_ALT", "EVENT_G"], "Pull Shape"),
         *([(["EVENT_ALT", "EVENT_S"], "Radius"), (["EVENT_CTRL", "EVENT_T"], "Tilt")] if name == 'nurbs' else []),
         (["EVENT_I"], "Insert Point Keyframes"), (["EVENT_SHIFT", "EVENT_Q"], "Pie Menu")]
     state.status = "a problem"
     try:
-        assert hints.said(bpy.context) == [], "problems have the first right"
+        assert hints.shown_keys(bpy.context) == [], "problems have the first right"
     finally:
         state.status = ""
     part('ui.preferences').get().show_hints = False
     try:
-        assert hints.said(bpy.context) == []
+        assert hints.shown_keys(bpy.context) == []
     finally:
         part('ui.preferences').get().show_hints = True
 
 
 @pytest.mark.parametrize('name', TOOLS)
 def test_the_status_bar_names_the_keys_of_the_tool_until_a_gesture_begins(name, monkeypatch):
-    hints, state = part('ui.hints'), part('bridge.file_state').state
+    hints, state = part('ui.hints'), part('ui.ui_state').ui_state
     monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
-    assert hints.said(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
+    assert hints.shown_keys(bpy.context) == [(list(icons), words) for icons, words in TOOLS[name].keys] != []
     for field, value in (('is_pointing', True), ('drawn_stroke', ((0, 0, 0),)), ('contour', ("drawn", "longer"))):
         monkeypatch.setattr(state, field, value)
-        assert hints.said(bpy.context) == [], f"{field}: a gesture has keys of its own"
+        assert hints.shown_keys(bpy.context) == [], f"{field}: a gesture has keys of its own"
         monkeypatch.undo()
         monkeypatch.setattr(hints.toolbar, 'active', lambda _: TOOLS[name])
 
 
 def test_over_the_knot_strip_it_names_what_the_mouse_does_there(keys):
-    hints, state, pointed = part('ui.hints'), part('bridge.file_state').state, part('ui.knot_strip').Pointed
-    sights = part('bridge.sights').of(bpy.context.scene)
+    hints, state, pointed = part('ui.hints'), part('ui.ui_state').ui_state, part('ui.knot_strip').Pointed
+    sights = bpy.context.scene.splinewright_sights
     sights.strip, state.pointed_knot = True, pointed(1, "shape", 0, 2, 1.0)
     inserting = (["MOUSE_LMB"], "twice: Insert Knot")
     try:
-        assert hints.said(bpy.context) == [(["MOUSE_LMB_DRAG"], "Move Knot"), inserting, (["EVENT_X"], "Remove Knot")]
+        assert hints.shown_keys(bpy.context) == [(["MOUSE_LMB_DRAG"], "Move Knot"), inserting, (["EVENT_X"], "Remove Knot")]
         state.pointed_knot = pointed(1, "shape", 0, None, 1.0)
-        assert hints.said(bpy.context) == [inserting]
+        assert hints.shown_keys(bpy.context) == [inserting]
         sights.strip = False
-        assert hints.said(bpy.context) == []
+        assert hints.shown_keys(bpy.context) == []
     finally:
         state.pointed_knot = None
         sights.property_unset('strip')

@@ -7,7 +7,7 @@ import pytest
 from shapes import KINDS, VALUES, add, by_hand, enter, first_point, leave, move, op, require_exact, select, world_points
 from support import part, vertices
 
-recipes, shape = part('bridge.recipes'), part('bridge.shape')
+recipes, shape = part('bridge.recipes.recipes'), part('bridge.shape.shape')
 
 
 TURNED = dict(location=(1, -2, 3), rotation_euler=(0.3, -0.8, 1.1), scale=(2, 0.5, 1.5))

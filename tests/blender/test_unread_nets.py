@@ -10,8 +10,8 @@ from support import part
 from test_files import reopen, save
 
 editing, handlers, live, messages, net_object, problems, saving, store = (part(name) for name in (
-    'ui.editing', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.net.net_object', 'bridge.problems', 'ui.saving',
-    'bridge.store'))
+    'ui.editing', 'ui.handlers', 'bridge.net.live', 'ui.messages', 'bridge.cage.net_object', 'bridge.data.problems', 'ui.saving',
+    'bridge.data.store'))
 KINDS = ('nurbs patch', 'nurbs', 'hermite')
 
 
@@ -24,7 +24,7 @@ def nets():
 
 
 def said():
-    return " ".join(sentence for sentence, _ in messages.said(bpy.context.view_layer))
+    return " ".join(sentence for sentence, _ in messages.sentence(bpy.context.view_layer))
 
 
 def with_unread_moves(name):
@@ -262,15 +262,15 @@ def test_a_mistake_with_one_shape_keeps_no_other_from_getting_its_normals_and_it
     for held in bpy.context.objects_in_mode:
         select(held, 3)
     move(0, 0, 1)
-    settle = live.settle
+    settle = live.finalize
 
     def failing(data, *more):
         if data == bpy.data.objects["a"].data:
             raise KeyError("a mistake")
         settle(data, *more)
 
-    monkeypatch.setattr(live, 'settle', failing)
-    editing.settle()
+    monkeypatch.setattr(live, 'finalize', failing)
+    editing.finalize()
     assert not store.is_draft(bpy.data.objects["b"].data) and "a mistake" in bpy.data.objects["a"].data.splinewright.problem
     put_away = editing.put_away
 

@@ -11,7 +11,7 @@ from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
 derived, file_state, follow, handlers, late, recipes, settings, store = (part(name) for name in (
-    'bridge.derived', 'bridge.file_state', 'bridge.follow', 'ui.handlers', 'bridge.late', 'bridge.recipes', 'bridge.settings', 'bridge.store'))
+    'bridge.follow.recipe_results', 'bridge.data.file_state', 'bridge.follow.follow', 'ui.handlers', 'bridge.recipes.late', 'bridge.recipes.recipes', 'bridge.data.settings', 'bridge.data.store'))
 state = file_state.state
 MODES = ('ALWAYS', 'ON_RELEASE', 'MANUAL')
 

@@ -8,7 +8,7 @@ import pytest
 
 from support import curve_points, part, splinecore as sc, vertices
 
-store = part('bridge.store')
+store = part('bridge.data.store')
 
 BIG = np.random.default_rng(4).uniform(-1, 1, (7, 3))
 VALUES = {
@@ -114,7 +114,7 @@ def test_resolution_evaluates_again_and_keeps_the_definition():
 
 
 def test_progress_is_told_after_evaluating_and_after_writing():
-    shape, told = part('bridge.shape'), []
+    shape, told = part('bridge.shape.shape'), []
     data = shape.new_data("mesh", VALUES['bezier patch'](), (4, 4), told.append)
     shape.rewrite(data, told.append)
     assert told == [1, 2, 1, 2] and shape.STEPS == 2

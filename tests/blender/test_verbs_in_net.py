@@ -13,7 +13,7 @@ from shapes import OF_CURVES, OF_PATCHES, activate, add, enter, first_point, lea
 from support import part
 from test_menus import Drawn
 
-editing, live, menus, net_object = (part(name) for name in ('ui.editing', 'bridge.net.live', 'ui.menus', 'bridge.net.net_object'))
+editing, live, menus, net_object = (part(name) for name in ('ui.editing', 'bridge.net.live', 'ui.menus', 'bridge.cage.net_object'))
 CURVE, PATCH = names_of(OF_CURVES), names_of(OF_PATCHES)
 CASES = [*((name, 'curve') for name in CURVE), *((name, 'patch') for name in PATCH)]
 VALUES = {'curve': lambda: value_of('nurbs'), 'patch': lambda: patches.value_of('plain nurbs')}
@@ -95,9 +95,9 @@ def test_the_piece_of_the_selected_points_is_the_one_in_hand():
     held = enter()
     rows = numbers_of(held).definition.pieces[1].indices.ravel()
     select(held, *np.flatnonzero(np.isin(numbers_of(held).rows, rows))[:2])
-    assert part('ui.hand').pieces_of_points(held) == [1]
+    assert part('ui.active_shape').pieces_of_points(held) == [1]
     operator = SimpleNamespace(piece=0, properties=SimpleNamespace(is_property_set=lambda name: False))
-    part('ui.hand').begin(operator, [ob], [held])
+    part('ui.active_shape').begin(operator, [ob], [held])
     assert operator.piece == 2
 
 

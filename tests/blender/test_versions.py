@@ -1,4 +1,4 @@
-"""What bridge/versions.py says of this Blender is so, and since the version that it says."""
+"""What bridge/data/versions.py says of this Blender is so, and since the version that it says."""
 
 import bpy
 import numpy as np
@@ -7,7 +7,7 @@ import pytest
 import blender_objects
 from support import corner_normals, part
 
-versions, mesh_edges, native = part('bridge.versions'), part('bridge.mesh_edges'), part('core.native.native')
+versions, mesh_edges, native = part('bridge.data.versions'), part('bridge.mesh.mesh_edges'), part('core.native.native')
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 NORMALS = np.array([(0.1, 0.2, 1.0), (0.3, -0.1, 1.0), (0.0, 0.4, 1.0), (-0.2, 0.2, 1.0)])
 NORMALS /= np.linalg.norm(NORMALS, axis=1)[:, None]

@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, activate, add, enter, first_point, leave, move, require_exact, select
 from support import part, vertices
 
-editing, shape = part('ui.editing'), part('bridge.shape')
+editing, shape = part('ui.editing'), part('bridge.shape.shape')
 
 
 def test_a_follower_of_a_shape_follows_its_net_at_every_move():

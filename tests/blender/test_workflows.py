@@ -178,11 +178,11 @@ def test_a_car_panel():
     for seam in value.seams():
         (first, side), (second, other) = seam
         sides = {'first': first + 1, 'first_side': side, 'second': second + 1, 'second_side': other}
-        if not part('core.held').can_hold(part('bridge.store').read(whole.data), *seam):
+        if not part('core.joints.held').can_hold(part('bridge.data.store').read(whole.data), *seam):
             step('join_patches', continuity='C0', **sides)
         step('hold_seam', continuity='G2', **sides)
     value = api.value(whole)
-    assert len(part('bridge.held').read(whole.data)) == 2 == len(value.seams())
+    assert len(part('bridge.data.held').read(whole.data)) == 2 == len(value.seams())
     for (first, side), (second, other) in value.seams():
         found = sc.seam_continuity(value[first], side, value[second], other)
         assert found.gap == 0.0 and found.g >= 2

@@ -286,7 +286,7 @@ def test_many_patches_are_one_surface_in_their_order():
 
 
 def test_the_teapot_is_32_splines():
-    value = part('core.starters').teapot()
+    value = part('core.shape.starters').teapot()
     ob, deviation = written_surface(value, (4, 4))
     assert len(ob.data.splines) == 32 and deviation < 1e-5
     assert np.array_equal(read_native.read(ob).pieces[7].points, value[7].points.astype(np.float32))

@@ -17,7 +17,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def value(name):

@@ -19,9 +19,9 @@ def begun(view):
 def lines(view, *rows):
     """A shape of each, all selected, the first active."""
     yield from begun(view)
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     for number, row in enumerate(rows):
-        data = part('bridge.shape').new_data(f"line {number}", sc.BezierCurve(np.array(row, float)), (12, 12))
+        data = part('bridge.shape.shape').new_data(f"line {number}", sc.BezierCurve(np.array(row, float)), (12, 12))
         ob = bpy.data.objects.new(f"line {number}", data)
         bpy.context.scene.collection.objects.link(ob)
         ob.select_set(True)
@@ -39,12 +39,12 @@ def curves(name=None):
 
 def sheet(view, count=1):
     """Flat patches in a row along x, with room between them."""
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     u, v = np.meshgrid(np.linspace(-1, 1, 4), np.linspace(-1, 1, 4), indexing='ij')
     patches = [sc.BezierPatch(np.stack([u + 3 * i, v, np.zeros_like(u)], -1)).to_nurbs() for i in range(count)]
     with view.override():
         empty_file()
-        data = part('bridge.shape').new_data("sheet", sc.PatchSet.from_patches(patches) if count > 1 else patches[0], (6, 6))
+        data = part('bridge.shape.shape').new_data("sheet", sc.PatchSet.from_patches(patches) if count > 1 else patches[0], (6, 6))
         ob = bpy.data.objects.new("sheet", data)
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob

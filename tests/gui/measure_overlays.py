@@ -17,8 +17,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, distances_measured, empty_file, into_net, nets, out_of_net, part, redrawn, run, until
 
-drawing, sights, sc = part('ui.drawing'), part('bridge.sights'), part('core.library').sc
-state = part('bridge.file_state').state
+drawing, sights, sc = part('ui.drawing'), part('bridge.analysis.overlays'), part('core.base.library').sc
+state = part('bridge.data.file_state').state
 REDRAWS = 5
 #: Of each callback of the last redraw, milliseconds.
 _spent = {}
@@ -47,7 +47,7 @@ class Batch:
 
 def time_callbacks():
     """From now on ours are called by others that measure them, and so is what they draw."""
-    for name in ('ui.strokes', 'ui.surface_shader', 'ui.legend'):
+    for name in ('ui.line_batches', 'ui.surface_shader', 'ui.legend'):
         room = part(name)
         room.batch_for_shader = lambda *given, make=room.batch_for_shader, **more: Batch(make(*given, **more))
     drawing.unregister()
@@ -83,7 +83,7 @@ def wave(count):
 
 
 def added(value, name, resolution):
-    data = part('bridge.shape').new_data(name, value, (resolution, resolution))
+    data = part('bridge.shape.shape').new_data(name, value, (resolution, resolution))
     ob = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(ob)
     bpy.context.view_layer.objects.active = ob
@@ -109,7 +109,7 @@ def report(what, view, switch_off):
 
 
 def with_switch(view, what, switch, **numbers):
-    chosen = sights.of(bpy.context.scene)
+    chosen = bpy.context.scene.splinewright_sights
     for name, value in numbers.items():
         setattr(chosen, name, value)
     setattr(chosen, switch, True)

@@ -20,7 +20,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def value(name="sheet"):
@@ -54,7 +54,7 @@ def two_are_joined(view):
     picture("both-sides")
     view.press('LEFTMOUSE')
     yield from until(lambda: np.abs(value()[1].points[0, :, 0] - 1).max() < 1e-9, "they are joined")
-    found = part('core.library').sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start')
+    found = part('core.base.library').sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start')
     assert found.g >= 1 and state().sides == ()
     view.press('Z', ctrl=True)
     yield from until(lambda: np.abs(value()[1].points[0, :, 0] - 2).max() < 1e-9, "Ctrl+Z takes it back")

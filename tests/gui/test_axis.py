@@ -18,7 +18,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def revolved():
@@ -47,7 +47,7 @@ def scene(view):
         NAMES.append(bpy.context.object.name)
         bpy.ops.view3d.view_all(center=False)
     yield from redrawn()
-    assert part('bridge.recipes').read(revolved().data).frames == (axis,)
+    assert part('bridge.recipes.recipes').read(revolved().data).frames == (axis,)
     picture("of-an-empty")
 
 
@@ -76,8 +76,8 @@ def an_edge(view):
     yield from until(lambda: state().edge is not None, "the edge at the mouse, again")
     view.press('LEFTMOUSE')
     yield from until(lambda: revolved().data.splinewright.value != before, "a click turns it about the edge")
-    [axis] = part('bridge.recipes').read(revolved().data).frames
-    assert axis.parent == cube and part('bridge.follow').problem(revolved().data) == ""
+    [axis] = part('bridge.recipes.recipes').read(revolved().data).frames
+    assert axis.parent == cube and part('bridge.follow.follow').problem(revolved().data) == ""
     yield from redrawn()
     picture("of-an-edge")
     view.press('Z', ctrl=True)

@@ -20,11 +20,11 @@ def picture(name):
 
 
 def scene(view):
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     with view.override():
         empty_file()
         for points in OUTLINES:
-            data = part('bridge.shape').new_data("outline", sc.build.contour([(*p, 0) for p in points], closed=True), (8, 8))
+            data = part('bridge.shape.shape').new_data("outline", sc.build.contour([(*p, 0) for p in points], closed=True), (8, 8))
             bpy.context.scene.collection.objects.link(bpy.data.objects.new("outline", data))
         for place in HOLES:
             bpy.ops.splinewright.add_circle('EXEC_DEFAULT', True)
@@ -44,7 +44,7 @@ def filled(view):
         bpy.ops.splinewright.add_filling('INVOKE_DEFAULT', True)
     yield from until(lambda: bpy.context.object.type == 'MESH', "the filling")
     yield from redrawn()
-    wanted = 24 - 4 * 0.16 * np.pi - part('core.library').sc.build.fill_rim([part('core.library').sc.build.contour(
+    wanted = 24 - 4 * 0.16 * np.pi - part('core.base.library').sc.build.fill_rim([part('core.base.library').sc.build.contour(
         [(*p, 0) for p in OUTLINES[1]], closed=True)]).value[0].area()
     assert 0.99 * wanted < bpy.context.object.data.splinewright.value.area() < 1.3 * wanted
     assert mean_difference(picture("filled"), before) > 0.01

@@ -20,7 +20,7 @@ def picture(name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def call(view, name):

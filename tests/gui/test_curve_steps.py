@@ -19,7 +19,7 @@ def picture(name):
 
 
 def curve():
-    return next(ob for ob in bpy.data.objects if ob.type == 'CURVE' and part('bridge.shape').has_shape(ob))
+    return next(ob for ob in bpy.data.objects if ob.type == 'CURVE' and part('bridge.shape.shape').has_shape(ob))
 
 
 def count():
@@ -30,7 +30,7 @@ def added(view):
     with view.override():
         empty_file()
         bpy.ops.splinewright.add_bezier_curve('INVOKE_DEFAULT', True)
-        curve().data.splinewright.value = part('core.library').sc.BezierCurve([(-2, 0, 0), (-1, 3, 0), (1, -3, 0), (2, 0, 0)])
+        curve().data.splinewright.value = part('core.base.library').sc.BezierCurve([(-2, 0, 0), (-1, 3, 0), (1, -3, 0), (2, 0, 0)])
         bpy.ops.view3d.view_axis(type='TOP')
         bpy.ops.view3d.view_selected()
         bpy.ops.ed.undo_push(message="curve")
@@ -62,7 +62,7 @@ def folded(view):
         bpy.context.view_layer.objects.active = curve()
         bpy.ops.splinewright.add_pipe('INVOKE_DEFAULT', True, radius=1.2)
     yield from until(lambda: bpy.context.object.type == 'MESH', "the pipe")
-    assert "the surface folds there" in part('bridge.recipes').read(bpy.context.object.data).warning
+    assert "the surface folds there" in part('bridge.recipes.recipes').read(bpy.context.object.data).warning
     view.open_sidebar()
     yield from view.show_tab("NURBS", (1045, 538))
     yield from redrawn()

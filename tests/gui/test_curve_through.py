@@ -80,7 +80,7 @@ def through_objects(view):
     view.press('LEFTMOUSE')
     yield from redrawn()
     assert mean_difference(picture("moved"), before) > 0.01
-    assert part('bridge.follow').problem(curves()[0].data) == ""
+    assert part('bridge.follow.follow').problem(curves()[0].data) == ""
     print("objects", flush=True)
 
 

@@ -32,7 +32,7 @@ def by_the_mode_menu(view):
     yield from until(is_out, "Object Mode again")
     yield from redrawn()
     assert bpy.context.object.name == name and bpy.context.mode == 'OBJECT'
-    assert not part('bridge.shape').is_touched(bpy.context.object.data)
+    assert not part('bridge.shape.shape').is_touched(bpy.context.object.data)
     print("mode menu", flush=True)
 
 
@@ -57,11 +57,11 @@ def by_tab(view):
     yield from redrawn()
     view.press('TAB')
     yield from into_net()
-    assert part('bridge.net.net_object').shape_of(bpy.context.object) == profile
+    assert part('bridge.cage.net_object').shape_of(bpy.context.object) == profile
     save_picture(OUTPUT / "detour-profile.png")
     view.press('TAB')
     yield from out_of_net()
-    assert bpy.context.object == profile and not part('bridge.shape').is_touched(surface.data)
+    assert bpy.context.object == profile and not part('bridge.shape.shape').is_touched(surface.data)
     add(view, 'add_circle')
     yield from redrawn()
     view.press('TAB')

@@ -14,8 +14,8 @@ from window import (View, empty_file, into_net, mean_difference, out_of_net, par
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Of a picture, where shapes are and neither regions nor the legend; and where that is.
 PLACE, LEGEND = (slice(100, 680), slice(260, 830)), (slice(480, 760), slice(850, 1060))
-state = part('bridge.file_state').state
-deviations = part('bridge.deviations')
+state = part('bridge.data.file_state').state
+deviations = part('bridge.analysis.deviations')
 
 
 def chosen():
@@ -29,7 +29,7 @@ def picture(name):
 def deviation(name):
     """What is known of a shape, measured in the end; None until it is."""
     data = bpy.data.objects[name].data
-    known = state.sights.get(part('bridge.file_state').key(data), {}).get(('deviation', name))
+    known = state.sights.get(part('bridge.data.file_state').key(data), {}).get(('deviation', name))
     return known[1] if known else None
 
 

@@ -31,7 +31,7 @@ class Look:
 
     @staticmethod
     def _require_exact(ob, name):
-        shape, store = part('bridge.shape'), part('bridge.store')
+        shape, store = part('bridge.shape.shape'), part('bridge.data.store')
         expected = shape.evaluated(ob.data, store.read(ob.data)).points
         assert np.array_equal(shape.points_of(ob.data), expected), f"{name}: the mesh is not its definition"
         assert not shape.is_touched(ob.data), name
@@ -56,7 +56,7 @@ def value():
 def at_rest():
     """Steps until what was pressed is done, and the shape shown exactly."""
     yield from redrawn()
-    store = part('bridge.store')
+    store = part('bridge.data.store')
     yield from until(lambda: NAME not in bpy.data.objects or not store.is_draft(bpy.data.objects[NAME].data),
                      "exact normals")
     yield from redrawn()

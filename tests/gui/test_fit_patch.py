@@ -20,7 +20,7 @@ def picture(name):
 
 
 def shapes():
-    return [ob for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)]
+    return [ob for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)]
 
 
 def points_of_shape():

@@ -38,7 +38,7 @@ def picture(name):
 
 
 def vase():
-    return next((ob for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape').has_shape(ob)), None)
+    return next((ob for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape.shape').has_shape(ob)), None)
 
 
 def value():
@@ -51,7 +51,7 @@ def seam():
 
 
 def profile():
-    return next(ob for ob in bpy.data.objects if ob.type == 'CURVE' and part('bridge.shape').has_shape(ob))
+    return next(ob for ob in bpy.data.objects if ob.type == 'CURVE' and part('bridge.shape.shape').has_shape(ob))
 
 
 def seen_at(view, at):
@@ -70,7 +70,7 @@ def place_on(view, name):
 
 
 def state():
-    return part('bridge.file_state').state
+    return part('ui.ui_state').ui_state
 
 
 def keys(view, text):
@@ -214,17 +214,17 @@ def revolved(view):
 
 
 def inserted(view):
-    assert in_net() and part('bridge.recipes').kind(vase().data) in (None, "")
+    assert in_net() and part('bridge.recipes.recipes').kind(vase().data) in (None, "")
 
 
 def pulled(view):
-    assert not part('core.creases').creases_of(part('bridge.store').read(vase().data))[0], "a pull makes no crease"
+    assert not part('core.joints.creases').creases_of(part('bridge.data.store').read(vase().data))[0], "a pull makes no crease"
 
 
 def stays_smooth(view):
     found = value()
     (first, side), (second, other) = seam()
-    assert part('core.library').sc.seam_continuity(found[first], side, found[second], other).g >= 2 and is_out()
+    assert part('core.base.library').sc.seam_continuity(found[first], side, found[second], other).g >= 2 and is_out()
 
 
 def steps():

@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, in_net, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-STATE = part('bridge.file_state').state
+STATE = part('ui.ui_state').ui_state
 PLACES = ((-3.0, -1.5, 0.0), (-1.5, 1.0, 0.0), (0.5, -0.5, 0.0), (2.0, 1.5, 0.0), (3.5, -1.0, 0.0))
 AUTO = ('AUTO', 'AUTO')
 
@@ -40,7 +40,7 @@ def types():
 
 
 def kept():
-    return part('bridge.handles').read(shape().data)
+    return part('bridge.curve.handles').read(shape().data)
 
 
 def triples():
@@ -85,7 +85,7 @@ def chosen(number, *names):
 
 def are_automatic(numbers):
     """Whether handles of points lie where Blender computes them of all points."""
-    where = part('core.handles').automatic(triples()[:, 1].astype(np.float64), False)
+    where = part('core.net.handles').automatic(triples()[:, 1].astype(np.float64), False)
     return np.allclose(triples()[:, ::2][numbers], where[numbers], atol=1e-4)
 
 

@@ -22,12 +22,12 @@ def value():
 
 
 def smooth():
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     return sc.seam_continuity(value()[0], 'u_end', value()[1], 'u_start').g
 
 
 def neighbors():
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     u, v = np.meshgrid(np.linspace(-2, 0, 5), np.linspace(-1, 1, 5), indexing='ij')
     knots = [0, 0, 0, 0, 1, 2, 2, 2, 2]
     grids = [np.stack([u + shift, v, 0.3 * np.cos(2 * u + shift)], -1) for shift in (0, 2)]
@@ -36,7 +36,7 @@ def neighbors():
 
 
 def cut_near_a_knot():
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     knots = [0, 0, 0, 0, 0.6, 1.02, 1.5, 2, 2, 2, 2]
     u, v = np.meshgrid(np.linspace(-2, 2, 7), np.linspace(-1, 1, 7), indexing='ij')
     return sc.PatchSet.from_patches(sc.NurbsPatch((3, 3), (knots, knots), np.stack([u, v, 0.3 * np.cos(u)], -1)).split('u', 1.03))
@@ -45,7 +45,7 @@ def cut_near_a_knot():
 def scene(view, shown=neighbors, continuity='G1', columns=slice(1, 4)):
     with view.override():
         empty_file()
-        data = part('bridge.shape').new_data("shape", shown(), (8, 8))
+        data = part('bridge.shape.shape').new_data("shape", shown(), (8, 8))
         ob = bpy.data.objects.new("shape", data)
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob

@@ -18,7 +18,7 @@ def picture(name):
 
 
 def pool():
-    return part('bridge.store').pool(bpy.data.objects["shape"].data)
+    return part('bridge.data.store').pool(bpy.data.objects["shape"].data)
 
 
 def smooth():
@@ -27,7 +27,7 @@ def smooth():
 
 
 def two_arches():
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     points = np.array([[-3, 0, 0], [-2.5, 1.5, 0], [-0.8, 1.2, 0], [0, 0, 0.0]])
     return [sc.BezierCurve(points), sc.BezierCurve(-points[::-1])]
 
@@ -35,7 +35,7 @@ def two_arches():
 def scene(view):
     with view.override():
         empty_file()
-        ob = bpy.data.objects.new("shape", part('bridge.shape').new_data("shape", two_arches(), (8, 8)))
+        ob = bpy.data.objects.new("shape", part('bridge.shape.shape').new_data("shape", two_arches(), (8, 8)))
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob
         ob.select_set(True)
@@ -82,7 +82,7 @@ def dragged(view, row, follower):
 def steps():
     view = View()
     yield from scene(view)
-    first, second = (piece.indices.tolist() for piece in part('bridge.store').read(bpy.data.objects["shape"].data).pieces)
+    first, second = (piece.indices.tolist() for piece in part('bridge.data.store').read(bpy.data.objects["shape"].data).pieces)
     yield from dragged(view, first[2], second[1])
     yield from dragged(view, first[3], second[0])
     view.open_sidebar()

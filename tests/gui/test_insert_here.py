@@ -19,7 +19,7 @@ def picture(name):
 
 
 def aimed():
-    return part('bridge.file_state').state.aimed
+    return part('ui.ui_state').ui_state.aimed
 
 
 def near(found, wanted):

@@ -17,7 +17,7 @@ def picture(name):
 
 
 def shapes():
-    return {ob.name for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)}
+    return {ob.name for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)}
 
 
 def add_both(view):

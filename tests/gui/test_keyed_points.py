@@ -24,18 +24,18 @@ def picture(name):
 
 def keys():
     """How many keys points have on all channels."""
-    return sum(len(curve.keyframe_points) for curve in part('bridge.animation').curves(shape().data))
+    return sum(len(curve.keyframe_points) for curve in part('bridge.data.animation').curves(shape().data))
 
 
 def pool():
-    return part('bridge.store').read(shape().data).pool
+    return part('bridge.data.store').read(shape().data).pool
 
 
 def in_the_net(rows):
     """Heights of points where Blender's net has them."""
     ob = nets()[0]
     session = part('bridge.net.live').session(ob.data)
-    present = part('bridge.net.net_object').present(ob, session.net)
+    present = part('bridge.cage.net_object').present(ob, session.net)
     slots = part('core.net.reading').slots(session.net, present)
     vertices = [int(np.flatnonzero(session.net.rows == row)[0]) for row in rows]
     return present.positions()[slots[vertices], 2]

@@ -13,7 +13,7 @@ from window import (View, into_net, mean_difference, out_of_net, part, redrawn, 
                     user_item)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-strip, state = part('ui.knot_strip'), part('bridge.file_state').state
+strip, state = part('ui.knot_strip'), part('ui.ui_state').ui_state
 
 
 def picture(name):
@@ -31,7 +31,7 @@ def pixel(view, at, axis=0):
     found = shown(view)
     left, right = found.ends(axis)
     box = found.boxes[axis]
-    x = left + float(part('core.knot_strip').fractions(at, found.spans[axis])) * (right - left)
+    x = left + float(part('core.verbs.knot_strip').fractions(at, found.spans[axis])) * (right - left)
     return round(view.region.x + x), round(view.region.y + (box.bottom + box.top) / 2)
 
 

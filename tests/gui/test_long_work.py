@@ -17,7 +17,7 @@ MANY = 60_000
 
 
 def shapes():
-    return [ob for ob in bpy.data.objects if part('bridge.shape').has_shape(ob)]
+    return [ob for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)]
 
 
 def cloud(count):
@@ -48,9 +48,9 @@ def knot(count):
     """A curve of so many points all about a sphere, active; both are selected."""
     empty_file()
     bpy.ops.splinewright.add_sphere('EXEC_DEFAULT', True, radius=2.0)
-    rng, sc = np.random.default_rng(6), part('core.library').sc
+    rng, sc = np.random.default_rng(6), part('core.base.library').sc
     points = rng.uniform(-1, 1, (count, 3)) + (0, 0, 4)
-    data = part('bridge.shape').new_data("knot", sc.fit.interpolate(points).value, (1, 1))
+    data = part('bridge.shape.shape').new_data("knot", sc.fit.interpolate(points).value, (1, 1))
     ob = bpy.data.objects.new("knot", data)
     bpy.context.collection.objects.link(ob)
     ob.select_set(True)
@@ -89,11 +89,11 @@ def of_a_curve(view, name, endless, short):
 def hills(count):
     """A shape of so many wavy patches of many spans, one above the other, active."""
     empty_file()
-    rng, sc = np.random.default_rng(3), part('core.library').sc
+    rng, sc = np.random.default_rng(3), part('core.base.library').sc
     x, y = np.meshgrid(np.arange(60.0), np.arange(60.0), indexing='ij')
     knots = np.concatenate([np.zeros(3), np.arange(58.0), np.full(3, 57.0)])
     patches = [sc.NurbsPatch((3, 3), (knots, knots), np.stack([x, y, rng.normal(3 * k, 0.7, (60, 60))], -1)) for k in range(count)]
-    data = part('bridge.shape').new_data("hills", sc.PatchSet.from_patches(patches), (1, 1))
+    data = part('bridge.shape.shape').new_data("hills", sc.PatchSet.from_patches(patches), (1, 1))
     ob = bpy.data.objects.new("hills", data)
     bpy.context.collection.objects.link(ob)
     ob.select_set(True)
@@ -104,7 +104,7 @@ def hills(count):
 def area():
     """As the panel shows it; None where it has a button."""
     ob = bpy.context.object
-    whole = part('bridge.surveys').whole_soon(ob.data, np.array(ob.matrix_world, dtype=np.float64), 0.02)
+    whole = part('bridge.analysis.surveys').whole_soon(ob.data, np.array(ob.matrix_world, dtype=np.float64), 0.02)
     return whole and whole.area
 
 

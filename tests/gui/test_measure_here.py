@@ -19,7 +19,7 @@ def picture(name):
 
 
 def shown():
-    return part('bridge.file_state').state.measured
+    return part('ui.ui_state').ui_state.measured
 
 
 def parameters():

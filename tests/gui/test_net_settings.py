@@ -15,8 +15,8 @@ OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
 def state(name):
     """(resolution, a coordinate, number of vertices) of the shape, which is what its definition and settings say."""
-    ob, shape = bpy.data.objects[name], part('bridge.shape')
-    expected = shape.evaluated(ob.data, part('bridge.store').read(ob.data)).points
+    ob, shape = bpy.data.objects[name], part('bridge.shape.shape')
+    expected = shape.evaluated(ob.data, part('bridge.data.store').read(ob.data)).points
     shown = shape.points_of(ob.data)
     assert len(shown) == len(expected) and np.allclose(shown, expected, atol=1e-6), "the shape is not its definition"
     assert not shape.is_touched(ob.data)

@@ -23,17 +23,17 @@ def last():
 
 
 def count():
-    return len(part('bridge.store').read(teapot().data).pieces)
+    return len(part('bridge.data.store').read(teapot().data).pieces)
 
 
 def hovered():
-    return part('bridge.file_state').state.hovered
+    return part('ui.ui_state').ui_state.hovered
 
 
 def place_of(view, number, ob=None):
     """Where the middle of a piece is in the window."""
     ob = ob or teapot()
-    point = ob.matrix_world @ Vector(part('bridge.surveys').middles_of(ob.data)[number - 1])
+    point = ob.matrix_world @ Vector(part('bridge.analysis.surveys').middles_of(ob.data)[number - 1])
     place = view3d_utils.location_3d_to_region_2d(view.region, view.area.spaces.active.region_3d, point)
     return round(view.region.x + place.x), round(view.region.y + place.y)
 
@@ -94,7 +94,7 @@ def a_piece_is_picked(view):
     yield from point_at(view, second)
     view.press('ESC')
     yield from until(lambda: not hovered(), "the end of picking")
-    assert part('ui.hand').of(teapot().data) == (first, 0), "Esc took a piece"
+    assert part('ui.active_shape').of(teapot().data) == (first, 0), "Esc took a piece"
     print("picked", flush=True)
 
 
@@ -126,7 +126,7 @@ def another_is_picked_in_the_panel(view):
     view.move(panel.x + panel.width - 39, panel.y + 18)
     yield from redrawn()
     view.press('LEFTMOUSE')
-    yield from until(lambda: part('bridge.file_state').state.picking, "picking after a click on the eyedropper")
+    yield from until(lambda: part('ui.ui_state').ui_state.picking, "picking after a click on the eyedropper")
     wanted = next(number for number in visible(view) if shown.numbers[number - 1] != first)
     yield from point_at(view, wanted)
     view.press('LEFTMOUSE')

@@ -77,7 +77,7 @@ def steps():
     yield from out_of_net()
     view.press('TAB')
     yield from until(lambda: bpy.context.mode == 'EDIT_MESH', "Tab is Blender's own again")
-    assert not part('bridge.net.net_object').is_net(bpy.context.object)
+    assert not part('bridge.cage.net_object').is_net(bpy.context.object)
     view.press('TAB')
     yield from until(lambda: bpy.context.mode == 'OBJECT', "Object Mode by Blender's own Tab")
 

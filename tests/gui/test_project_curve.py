@@ -56,7 +56,7 @@ def steps():
     yield from until(lambda: ob.data.splinewright.value != value, "it goes along while the curve moves")
     view.press('LEFTMOUSE')
     yield from redrawn()
-    assert part('bridge.follow').problem(ob.data) == ""
+    assert part('bridge.follow.follow').problem(ob.data) == ""
     picture("moved")
     while made():
         view.press('Z', ctrl=True)

@@ -21,7 +21,7 @@ def picture(name):
 
 
 def pulled():
-    return part('bridge.file_state').state.pulled
+    return part('ui.ui_state').ui_state.pulled
 
 
 def led():
@@ -178,7 +178,7 @@ def by_tangent_and_circle(view):
         button(view, 'RELEASE')
         yield from until(lambda: pulled() is None, "letting go ends it")
         operator = bpy.context.window_manager.operators[-1]
-        u = part('core.decimals').typed(operator.parameter_u)
+        u = part('core.base.decimals').typed(operator.parameter_u)
         assert operator.handle == handle
         size = np.abs(before.points).max()
         assert np.abs(value().evaluate(u) - before.evaluate(u)).max() < 1e-9 * size, "the point stays"
@@ -244,10 +244,10 @@ def in_object_mode(view):
 def sculpted(view):
     """A deformable surface of revolution has no crease after it."""
     def add(*_):
-        sc, deformable = part('core.library').sc, part('core.deformable')
+        sc, deformable = part('core.base.library').sc, part('core.deform.deformable')
         profile = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1.0], [(0.8, 0, -1), (1.2, 0, 0), (0.8, 0, 1)])
         patch, _ = deformable.revolved(profile, (0, 0, 0), (0, 0, 1), 0.0, None, 1e-3)
-        data = part('bridge.shape').new_data("shape", patch, (8, 8))
+        data = part('bridge.shape.shape').new_data("shape", patch, (8, 8))
         ob = bpy.data.objects.new("shape", data)
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob
@@ -263,7 +263,7 @@ def sculpted(view):
     yield from until(lambda: pulled() is None, "letting go ends it")
     yield from redrawn()
     picture("sculpted")
-    assert part('bridge.surveys').survey_of(shape().data)[1:] == (0, 0)
+    assert part('bridge.analysis.surveys').survey_of(shape().data)[1:] == (0, 0)
     view.press('TAB')
     yield from out_of_net()
     print("a deformable one", flush=True)

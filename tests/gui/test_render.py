@@ -13,8 +13,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, part, redrawn, run, until
 
-errands, file_state, handlers, shape, texts = (part(name) for name in (
-    'ui.errands', 'bridge.file_state', 'ui.handlers', 'bridge.shape', 'ui.texts'))
+errands, handlers, shape, texts = (part(name) for name in (
+    'ui.main_thread', 'ui.handlers', 'bridge.shape.shape', 'ui.texts'))
 FOLDER = Path(os.environ['SPLINEWRIGHT_OUTPUT']) / "frames"
 FRAMES = (2, 5, 8, 11)
 #: Rows of the picture, 16 units high, in which what follows a place, what is keyed and what follows that lie.
@@ -110,7 +110,7 @@ def rendered(view, name, is_locked):
         found = covered(f"{scene.render.filepath}{frame:04}.png")
         assert np.allclose(found, expected(frame), atol=0.01), (name, frame, found, expected(frame))
     assert in_main and (is_locked or all(in_main)), "a shape was written in the thread of the render"
-    assert file_state.state.missed == 0
+    assert part('ui.ui_state').ui_state.missed == 0
     require_views_at(4)
 
 
@@ -157,13 +157,13 @@ def a_main_thread_that_does_not_answer(view):
         bpy.ops.render.render('INVOKE_DEFAULT', animation=True)
     yield from until(lambda: bpy.app.is_job_running('RENDER'), "a render")
     yield from until(lambda: not bpy.app.is_job_running('RENDER'), "the end of a render")
-    assert file_state.state.missed == len(FRAMES) and time.monotonic() - begin < 30
+    assert part('ui.ui_state').ui_state.missed == len(FRAMES) and time.monotonic() - begin < 30
     assert all(in_main)
     errands.serve, errands._PATIENCE = serve, patience
     yield from until(lambda: told, "a popup that says which frames are wrong")
     texts.pop_up = pop_up
     assert "Lock Interface" in told[0]
-    assert file_state.state.missed == 0
+    assert part('ui.ui_state').ui_state.missed == 0
     view.press('ESC')
     yield from redrawn()
 

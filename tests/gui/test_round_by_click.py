@@ -21,7 +21,7 @@ def picture(name):
 
 
 def rounding():
-    return part('bridge.file_state').state.rounding
+    return part('ui.ui_state').ui_state.rounding
 
 
 def scene(view):
@@ -69,7 +69,7 @@ def made(view):
     view.press('RET')
     yield from until(lambda: len(bpy.data.objects) == 2 and rounding() is None, "the rounded box")
     yield from redrawn()
-    read = part('bridge.recipes')
+    read = part('bridge.recipes.recipes')
     assert read.parameters(bpy.context.object.data)['edges'] == str(first) and read.read(bpy.context.object.data).said == "1 edge rounded"
     picture("one")
     return first
@@ -83,20 +83,20 @@ def changed(view, first):
     yield from until(lambda: len(rounding().chosen) == 12, "A takes all")
     view.press('ESC')
     yield from until(lambda: rounding() is None, "Esc ends it")
-    assert part('bridge.recipes').parameters(data)['edges'] == str(first)
+    assert part('bridge.recipes.recipes').parameters(data)['edges'] == str(first)
     yield from begun(view)
     yield from clicked(view, TOP_FRONT, 2)
     view.press('RET')
     yield from redrawn()
     yield from until(lambda: rounding() is None, "more are rounded")
     yield from redrawn()
-    assert part('bridge.recipes').read(bpy.context.object.data).said != "1 edge rounded"
+    assert part('bridge.recipes.recipes').read(bpy.context.object.data).said != "1 edge rounded"
     picture("more")
 
 
 def taken_back(view):
     view.press('Z', ctrl=True)
-    yield from until(lambda: part('bridge.recipes').read(bpy.context.object.data).said == "1 edge rounded", "Ctrl+Z takes that back")
+    yield from until(lambda: part('bridge.recipes.recipes').read(bpy.context.object.data).said == "1 edge rounded", "Ctrl+Z takes that back")
     view.press('Z', ctrl=True)
     yield from until(lambda: len(bpy.data.objects) == 1, "Ctrl+Z brings the box back")
     yield from redrawn()

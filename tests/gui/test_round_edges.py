@@ -38,7 +38,7 @@ def rounded(view):
     yield from until(lambda: len(bpy.data.objects) == 2, "the rounded box")
     yield from redrawn()
     assert len(numbers()) == 12 and bpy.data.objects["box"].hide_get()
-    assert part('bridge.recipes').read(bpy.context.object.data).said == "12 edges rounded"
+    assert part('bridge.recipes.recipes').read(bpy.context.object.data).said == "12 edges rounded"
     assert mean_difference(picture("round"), sharp) > 0.01
 
 

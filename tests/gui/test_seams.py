@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-sc, colors, state = part('core.library').sc, part('ui.colors'), part('bridge.file_state').state
+sc, colors, state = part('core.base.library').sc, part('ui.colors'), part('bridge.data.file_state').state
 
 
 def strip():
@@ -37,7 +37,7 @@ def steps():
     view.move()
     with view.override():
         empty_file()
-        data = part('bridge.shape').new_data("shape", strip(), (6, 6))
+        data = part('bridge.shape.shape').new_data("shape", strip(), (6, 6))
         ob = bpy.data.objects.new("shape", data)
         bpy.context.scene.collection.objects.link(ob)
         bpy.context.view_layer.objects.active = ob
@@ -63,7 +63,7 @@ def steps():
             assert not is_there(found, view, (x, y, 0), colors.of_net()[0]), "the net lies above the seam"
         for y in (1, 2):
             assert is_there(found, view, (x, y, 0), colors.of_points(), 2), "a point of the net does not show"
-    key = part('bridge.file_state').key(bpy.data.objects["shape"].data)
+    key = part('bridge.data.file_state').key(bpy.data.objects["shape"].data)
     known = state.sights[key]['seams'][1]
     yield from redrawn()
     yield from redrawn()

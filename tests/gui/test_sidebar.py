@@ -113,7 +113,7 @@ def following(view):
     with view.override():
         bpy.ops.ed.undo_redo()
     yield from redrawn()
-    recipes = part('bridge.recipes')
+    recipes = part('bridge.recipes.recipes')
     found = {data.name: recipes.read_inputs(data)[0].name for data in bpy.data.curves if recipes.follows(data)}
     assert list(found.values()) == ["first"] and len(bpy.context.scene.objects) == 3, found
     print("following", flush=True)

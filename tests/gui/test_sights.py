@@ -77,7 +77,7 @@ def curves(view):
 
 def count_made():
     """A function that tells how often something was worked out for the view since it was made."""
-    state = part('bridge.file_state').state
+    state = part('bridge.data.file_state').state
     known = {id(value) for values in state.sights.values() for value in values.values()}
     kept = [values.copy() for values in state.sights.values()]      # so that no id is given away again
 
@@ -133,10 +133,10 @@ def shows(view, point, color):
 
 def straight(view):
     """Of a straight curve the curve lies above the polygon, in its net, too, and points above both."""
-    sc, colors = part('core.library').sc, part('ui.colors')
+    sc, colors = part('core.base.library').sc, part('ui.colors')
 
     def make():
-        data = part('bridge.shape').new_data("line", sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [
+        data = part('bridge.shape.shape').new_data("line", sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [
             (i, 0.3 * i, 0) for i in range(5)]), (8, 8))
         ob = bpy.data.objects.new("line", data)
         bpy.context.scene.collection.objects.link(ob)
@@ -217,8 +217,8 @@ def nothing_made(switch):
 
 def count_drawn():
     """A function that tells how often something was drawn over shapes since it was made."""
-    count, rooms = [0], [(part('ui.strokes'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
-                         (part('ui.sights_overlay'), 'shapes_in_hand')]
+    count, rooms = [0], [(part('ui.line_batches'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
+                         (part('ui.analysis_overlay'), 'shapes_in_hand')]
 
     def counted(own):
         def called(*given, **more):

@@ -25,7 +25,7 @@ def value():
 
 
 def sources():
-    return [source.location.z for source in part('bridge.recipes').read(bpy.data.objects[LOFT[-1]].data).sources]
+    return [source.location.z for source in part('bridge.recipes.recipes').read(bpy.data.objects[LOFT[-1]].data).sources]
 
 
 def scene(view):
@@ -97,12 +97,12 @@ def listed(view):
 
 def closed(view):
     """A tube of four surfaces, by A and F3: the numbers of its walls stand in them."""
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     wall = sc.BezierCurve([(1, 0, -1), (1, 0, 0)])
     with view.override():
         empty_file()
         for i in range(4):
-            data = part('bridge.shape').new_data(f"wall {i}", sc.build.revolve(wall, (0, 0, 0), (0, 0, 1), i * np.pi / 2, np.pi / 2), (8, 8))
+            data = part('bridge.shape.shape').new_data(f"wall {i}", sc.build.revolve(wall, (0, 0, 0), (0, 0, 1), i * np.pi / 2, np.pi / 2), (8, 8))
             bpy.context.scene.collection.objects.link(bpy.data.objects.new(f"wall {i}", data))
         bpy.ops.ed.undo_push(message="walls")
     yield from redrawn()

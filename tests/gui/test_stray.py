@@ -117,7 +117,7 @@ def drawn_once(view):
     """What is drawn over the net is worked out when it changes: its points, or what of it is selected."""
     view.press('TAB')
     yield from into_net()
-    state, key = part('bridge.file_state').state, part('bridge.file_state').key
+    state, key = part('bridge.data.file_state').state, part('bridge.data.file_state').key
 
     def strokes():
         view.area.tag_redraw()
@@ -181,7 +181,7 @@ def left_by_another_way(view):
     yield from until(lambda: "lost points" in problem(), "the problem")
     with view.override():
         bpy.ops.object.mode_set('EXEC_DEFAULT', True, mode='OBJECT')
-    kept = part('bridge.file_state').state.kept
+    kept = part('ui.ui_state').ui_state.kept
     yield from until(lambda: len(kept) == 1 and nets()[0].mode == 'OBJECT', "the net is kept")
     yield from until(lambda: warned(look("kept")) > 300, "the warning in the view")
     view.press('TAB')

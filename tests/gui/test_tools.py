@@ -14,7 +14,7 @@ from window import (View, in_net, into_net, mean_difference, nets, out_of_net, p
                     select_points, until)
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-STATE = part('bridge.file_state').state
+STATE = part('ui.ui_state').ui_state
 
 
 def picture(name):
@@ -294,7 +294,7 @@ def seen_from_below(view):
     eye, was = view.area.spaces.active.region_3d, view.area.spaces.active.region_3d.view_rotation.copy()
     with view.override():
         bpy.ops.view3d.view_axis(type='BOTTOM')
-    shading, sights = view.area.spaces.active.shading, part('bridge.sights').of(bpy.context.scene)
+    shading, sights = view.area.spaces.active.shading, bpy.context.scene.splinewright_sights
     for tool in ("builtin.select_box", "builtin.select", "builtin.move"):
         yield from choose(view, tool)
         before = value()

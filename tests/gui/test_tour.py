@@ -50,7 +50,7 @@ def teapot(view):
     view.press('TAB')
     yield from out_of_net()
     ob = bpy.data.objects["Teapot"]
-    assert bpy.context.object == ob and ob.data.vertices and not part('bridge.shape').is_touched(ob.data)
+    assert bpy.context.object == ob and ob.data.vertices and not part('bridge.shape.shape').is_touched(ob.data)
     ob.hide_set(True)
 
 
@@ -96,10 +96,10 @@ def following(view):
     ob = bpy.context.object
     ob.data.bevel_depth = 0.04
     yield from frame(view)
-    before = part('bridge.shape').points_of(ob.data)
+    before = part('bridge.shape.shape').points_of(ob.data)
     source.data.splines[0].bezier_points[1].co.z += 0.8
     source.data.update_tag()
-    points_of = part('bridge.shape').points_of
+    points_of = part('bridge.shape.shape').points_of
     yield from until(lambda: np.abs(points_of(ob.data) - before).max() > 0.7, "the follower follows")
     yield from redrawn()
     save_picture(OUTPUT / "tour-follow.png")
@@ -195,7 +195,7 @@ def surfaces(view):
             3, [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], [(r, 0, z) for r, z in zip(radii, heights)])
         bpy.ops.splinewright.add_revolve('EXEC_DEFAULT', True)
         vase = bpy.context.object
-        part('bridge.settings').set_tolerance(vase.data, 0.01)
+        part('bridge.data.settings').set_tolerance(vase.data, 0.01)
         bpy.context.space_data.overlay.show_wireframes = True
         vase.select_set(False)
         profile.select_set(True)
@@ -209,7 +209,7 @@ def surfaces(view):
         select_points(2)
         bpy.ops.transform.translate('EXEC_DEFAULT', True, value=(0.5, 0, 0))
     yield from redrawn()
-    assert np.abs(part('bridge.shape').points_of(vase.data)[:, 0]).max() > 1.1 and len(vase.data.polygons) != before
+    assert np.abs(part('bridge.shape.shape').points_of(vase.data)[:, 0]).max() > 1.1 and len(vase.data.polygons) != before
     view.press('TAB')
     yield from out_of_net()
     with view.override():
@@ -264,7 +264,7 @@ def green(picture):
 
 def library():
     """splinecore, as the add-on carries it."""
-    return part('core.library').sc
+    return part('core.base.library').sc
 
 
 def steps():

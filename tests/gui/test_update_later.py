@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from window import View, empty_file, part, redrawn, run, until
 
 file_state, follow, late, shape, store = (part(name) for name in (
-    'bridge.file_state', 'bridge.follow', 'bridge.late', 'bridge.shape', 'bridge.store'))
+    'bridge.data.file_state', 'bridge.follow.follow', 'bridge.recipes.late', 'bridge.shape.shape', 'bridge.data.store'))
 
 
 def loft():

@@ -22,7 +22,7 @@ def value():
 
 
 def require_exact(name):
-    shape, store, ob = part('bridge.shape'), part('bridge.store'), bpy.data.objects[name]
+    shape, store, ob = part('bridge.shape.shape'), part('bridge.data.store'), bpy.data.objects[name]
     assert np.array_equal(shape.points_of(ob.data), shape.evaluated(ob.data, store.read(ob.data)).points)
     assert not shape.is_touched(ob.data)
     return ob
@@ -52,7 +52,7 @@ def saving(view):
     before = value()
     yield from drag(view, 60)
     view.press('LEFTMOUSE')
-    store = part('bridge.store')
+    store = part('bridge.data.store')
     yield from until(lambda: value() != before and not store.is_draft(bpy.data.objects["NURBS Patch"].data),
                      "the shape follows, with exact normals")
     require_exact("NURBS Patch")

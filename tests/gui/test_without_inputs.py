@@ -119,7 +119,7 @@ def applied(view):
     yield from until(lambda: np.allclose(loft().matrix_world, np.eye(4), atol=1e-6), "Ctrl+A")
     yield from redrawn()
     assert near(seen(loft()), before)
-    assert part('bridge.follow').problem(loft().data) == "" and not part('bridge.shape').is_touched(loft().data)
+    assert part('bridge.follow.follow').problem(loft().data) == "" and not part('bridge.shape.shape').is_touched(loft().data)
 
 
 def said(view):

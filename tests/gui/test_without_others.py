@@ -23,12 +23,12 @@ def space():
 
 
 def scene(view):
-    sc = part('core.library').sc
+    sc = part('core.base.library').sc
     patch = sc.NurbsPatch((2, 2), ([0, 0, 0, 0.5, 1, 1, 1], [0, 0, 0, 1, 1, 1]), POINTS)
     with view.override():
         empty_file()
         bpy.ops.mesh.primitive_cube_add(location=(-3, 0, 0))
-        ob = bpy.data.objects.new("half", part('bridge.shape').new_data("half", patch, (12, 12)))
+        ob = bpy.data.objects.new("half", part('bridge.shape.shape').new_data("half", patch, (12, 12)))
         bpy.context.collection.objects.link(ob)
         bpy.ops.object.select_all(action='DESELECT')
         ob.select_set(True)

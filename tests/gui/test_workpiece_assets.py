@@ -23,7 +23,7 @@ def picture(name):
 
 
 def loft():
-    return next(ob for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape').has_shape(ob))
+    return next(ob for ob in bpy.data.objects if ob.type == 'MESH' and part('bridge.shape.shape').has_shape(ob))
 
 
 def seen():
@@ -69,7 +69,7 @@ def bring(how):
 def placed(view):
     """G, S and R as of any object."""
     view = yield from bring('append')
-    assert loft().library is None and part('bridge.follow').problem(loft().data) == ""
+    assert loft().library is None and part('bridge.follow.follow').problem(loft().data) == ""
     yield from by_keys.choose(view, NAMES[-1])
     before = seen()
     yield from by_keys.keys(view, "G X 3 Enter")

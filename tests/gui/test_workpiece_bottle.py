@@ -25,7 +25,7 @@ def value():
 
 def open_ends():
     """How many rims are open."""
-    sc, found = part('core.library').sc, value()
+    sc, found = part('core.base.library').sc, value()
     patches = [found[i] for i in range(len(found))] if isinstance(found, sc.PatchSet) else [found]
     return len(sc.build.open_ends(patches))
 
@@ -80,7 +80,7 @@ def kept(view):
     def is_whole():
         assert open_ends() == 0
     yield from by_keys.followed_when_opened(view, OUTPUT / "bottle.blend", value, is_whole, NAMES[3], "G Z 0.2 Enter")
-    assert part('bridge.follow').problem(bpy.data.objects[NAMES[-1]].data) == ""
+    assert part('bridge.follow.follow').problem(bpy.data.objects[NAMES[-1]].data) == ""
     picture("opened")
 
 

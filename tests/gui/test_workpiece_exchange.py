@@ -38,7 +38,7 @@ def curves_of(ob):
 
 
 def has_shape(ob):
-    return part('bridge.shape').has_shape(ob)
+    return part('bridge.shape.shape').has_shape(ob)
 
 
 def drawing(view):
@@ -62,7 +62,7 @@ def drawing(view):
     ends = [(curve.evaluate(curve.domain[0]), curve.evaluate(curve.domain[1])) for ob in made for curve in curves_of(ob)]
     assert all(np.allclose(*pair, atol=1e-7) for pair in ends), "what was closed is closed"
     where = np.concatenate([np.asarray(curve.points) for ob in made for curve in curves_of(ob)])
-    assert abs(np.ptp(where[:, 0]) - wide) < 0.2 * wide and part('bridge.store')
+    assert abs(np.ptp(where[:, 0]) - wide) < 0.2 * wide and part('bridge.data.store')
     NAMES['outline'] = max(made, key=lambda ob: sum(curve.length() for curve in curves_of(ob))).name
 
 
@@ -92,7 +92,7 @@ def of_mesh(view):
     yield from by_keys.search(view, "nurbs from mesh")
     yield from until(lambda: bpy.context.object.name != NAMES['mesh'], "F3 finds NURBS from Mesh")
     NAMES['made'] = bpy.context.object.name
-    assert part('bridge.recipes').kind(bpy.context.object.data) == 'of_mesh' and len(value('made')) > 100
+    assert part('bridge.recipes.recipes').kind(bpy.context.object.data) == 'of_mesh' and len(value('made')) > 100
     yield from by_keys.see_all(view)
     yield from by_keys.sidebar(view)
     picture("mesh")
@@ -102,7 +102,7 @@ def of_mesh(view):
     yield from by_keys.keys(view, "G X 0.4 Enter")
     yield from until(lambda: abs(bpy.context.object.matrix_world.translation.x - 0.5) < 1e-5, "G moves it")
     yield from by_keys.search(view, "apply construction")
-    yield from until(lambda: not part('bridge.recipes').kind(bpy.context.object.data), "F3 finds Apply Construction")
+    yield from until(lambda: not part('bridge.recipes.recipes').kind(bpy.context.object.data), "F3 finds Apply Construction")
 
 
 def out_and_in(view):
@@ -116,7 +116,7 @@ def out_and_in(view):
         bpy.ops.splinewright.import_json('EXEC_DEFAULT', True, filepath=str(path))
     yield from until(lambda: len(bpy.data.objects) > len(known), "what comes in")
     def dumps(found):           # what comes in of curves is a list
-        return part('core.library').sc.dumps(found[0] if isinstance(found, list) else found)
+        return part('core.base.library').sc.dumps(found[0] if isinstance(found, list) else found)
     came = {dumps(ob.data.splinewright.value) for ob in bpy.data.objects if ob.name not in known}
     assert came == {dumps(was) for was in before.values()}, [len(text) for text in came]
     yield from by_keys.see_all(view)

@@ -111,7 +111,7 @@ def extruded(view):
     NAMES['ring'] = bpy.context.object.name
     wanted = area(curve('outline')) - area(curve('inside'))
     found = value('ring')
-    patches = [found[i] for i in range(len(found))] if isinstance(found, part('core.library').sc.PatchSet) else [found]
+    patches = [found[i] for i in range(len(found))] if isinstance(found, part('core.base.library').sc.PatchSet) else [found]
     assert abs(sum(patch.area() for patch in patches) - wanted) < 1e-3 * wanted
     yield from by_keys.keys(view, "G Z 2 Enter")
     yield from by_keys.choose(view, NAMES['outline'])

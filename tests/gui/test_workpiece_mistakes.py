@@ -40,11 +40,11 @@ def box(name):
 
 
 def problem(name):
-    return part('bridge.follow').problem(ob(name).data)
+    return part('bridge.follow.follow').problem(ob(name).data)
 
 
 def warning(name):
-    return part('bridge.recipes').read(ob(name).data).warning
+    return part('bridge.recipes.recipes').read(ob(name).data).warning
 
 
 def in_status():
@@ -99,7 +99,7 @@ def applied(view):
     yield from redrawn()
     assert problem('vase') == "", problem('vase')
     assert np.abs(box('vase') - before).max() < 1e-3 * np.ptp(before), (box('vase'), before)
-    assert not part('bridge.shape').is_touched(ob('vase').data)
+    assert not part('bridge.shape.shape').is_touched(ob('vase').data)
     was = value('vase')
     yield from by_keys.choose(view, NAMES['profile'])
     yield from by_keys.keys(view, "S 1.1 Enter")
@@ -152,8 +152,8 @@ def thick(view):
 
 
 def line(view, name, start, end):
-    sc = part('core.library').sc
-    made = bpy.data.objects.new(name, part('bridge.shape').new_data(name, sc.BezierCurve(np.array([start, end], float)), (12, 12)))
+    sc = part('core.base.library').sc
+    made = bpy.data.objects.new(name, part('bridge.shape.shape').new_data(name, sc.BezierCurve(np.array([start, end], float)), (12, 12)))
     bpy.context.scene.collection.objects.link(made)
     NAMES[name] = made.name
 

@@ -30,7 +30,7 @@ def require_smooth():
     """One seam, in the plane, G2 by the library's own measure."""
     found = value()
     ((first, side), (second, other)), = found.seams()
-    seam = part('core.library').sc.seam_continuity(found[first], side, found[second], other)
+    seam = part('core.base.library').sc.seam_continuity(found[first], side, found[second], other)
     assert seam.g >= 2 and seam.gap < 1e-9, seam
     edge = found[first].boundary(side)
     matrix = np.array(bpy.data.objects[NAMES[-1]].matrix_world)

@@ -13,7 +13,7 @@ import by_keys
 from window import part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
-sc = part('core.library').sc
+sc = part('core.base.library').sc
 #: Names of results, of the objects that each is made from, and of copies.
 MADE, INPUTS, COPIES = {}, {}, {}
 
@@ -115,8 +115,8 @@ def require_whole():
     """All follow, and nobody's hand is said to have changed one."""
     for name in MADE.values():
         data = bpy.data.objects[name].data
-        assert part('bridge.follow').problem(data) == "", (name, part('bridge.follow').problem(data))
-        assert not part('bridge.shape').is_touched(data), name
+        assert part('bridge.follow.follow').problem(data) == "", (name, part('bridge.follow.follow').problem(data))
+        assert not part('bridge.shape.shape').is_touched(data), name
 
 
 def made(view):
@@ -125,7 +125,7 @@ def made(view):
         with view.override():
             bpy.ops.object.select_all(action='DESELECT')
             for i, value in enumerate(values):
-                ob = bpy.data.objects.new(f"{kind} {i}", part('bridge.shape').new_data(f"{kind} {i}", value, (8, 8)))
+                ob = bpy.data.objects.new(f"{kind} {i}", part('bridge.shape.shape').new_data(f"{kind} {i}", value, (8, 8)))
                 bpy.context.collection.objects.link(ob)
                 ob.location = place
                 ob.select_set(True)

@@ -26,7 +26,7 @@ def value():
 
 def count():
     found = value()
-    return len(found) if isinstance(found, part('core.library').sc.PatchSet) else 1
+    return len(found) if isinstance(found, part('core.base.library').sc.PatchSet) else 1
 
 
 def open_border():
@@ -81,7 +81,7 @@ def taken(view):
     select_points(*inner_points(0))
     yield from redrawn()
     view.press('P')
-    yield from until(lambda: len(list(filter(part('bridge.shape').has_shape, bpy.data.objects))) == 2, "P takes a part out")
+    yield from until(lambda: len(list(filter(part('bridge.shape.shape').has_shape, bpy.data.objects))) == 2, "P takes a part out")
     assert count() == many - 1
     yield from redrawn()
     picture("taken")
@@ -111,7 +111,7 @@ def of_mesh(view):
         bpy.ops.mesh.primitive_cube_add('EXEC_DEFAULT', True, location=(4, 0, 0))
         bpy.ops.splinewright.add_of_mesh('INVOKE_DEFAULT', True)
     yield from until(lambda: "Cube NURBS" in bpy.data.objects, "a shape of the mesh")
-    assert part('bridge.recipes').kind(bpy.context.object.data) == 'of_mesh'
+    assert part('bridge.recipes.recipes').kind(bpy.context.object.data) == 'of_mesh'
     with view.override():
         bpy.ops.view3d.view_all(center=False)
     view.open_sidebar()

@@ -72,7 +72,7 @@ def swept(view):
     for name in ('sweep', 'pipe'):
         yield from by_keys.choose(view, NAMES[name])
         setattr(settings(), f"{name}_own_radius", True)
-        yield from until(lambda: part('bridge.recipes').parameters(bpy.context.object.data)["own_radius"], "the switch")
+        yield from until(lambda: part('bridge.recipes.recipes').parameters(bpy.context.object.data)["own_radius"], "the switch")
 
 
 def thicker(view):
@@ -104,7 +104,7 @@ def thicker(view):
 
 def kept(view):
     def is_whole():
-        assert all(part('bridge.follow').problem(bpy.data.objects[name].data) == "" for name in NAMES.values())
+        assert all(part('bridge.follow.follow').problem(bpy.data.objects[name].data) == "" for name in NAMES.values())
     pipe = lambda: value('pipe')
     yield from by_keys.followed_when_opened(view, OUTPUT / "tube.blend", pipe, is_whole, NAMES['rail'], "S X 1.2 Enter")
     picture("opened")

@@ -36,7 +36,7 @@ def until(is_so, what):
 
 def distances_measured():
     """Whether the distances of a shape from another object are known in the end."""
-    return any(what[0] == 'deviation' for known in part('bridge.file_state').state.sights.values() for what in known)
+    return any(what[0] == 'deviation' for known in part('bridge.data.file_state').state.sights.values() for what in known)
 
 
 def redrawn():
@@ -50,7 +50,7 @@ def redrawn():
 
 
 def nets():
-    return [ob for ob in bpy.data.objects if part('bridge.net.net_object').is_net(ob)]
+    return [ob for ob in bpy.data.objects if part('bridge.cage.net_object').is_net(ob)]
 
 
 def in_net():

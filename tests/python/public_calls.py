@@ -318,6 +318,7 @@ CONIC = {
     "arc": lambda one, at: one.arc(0.1, 1.2),
 }
 
+PAIR = {"__iter__": lambda one, at: list(one), "__getitem__": lambda one, at: one[1], "__len__": lambda one, at: len(one)}
 METHODS = {
     "NurbsCurve": CURVE | DRAGGED | RATIONAL | NURBS_CURVE | VALUE,
     "BezierCurve": CURVE | DRAGGED | RATIONAL | BEZIER_CURVE | VALUE,
@@ -332,14 +333,14 @@ METHODS = {
     "KnotVector": KNOT_VECTOR | EQUAL,
     "Samples": SAMPLES | COPIES,
     "ImplicitConic": CONIC | EQUAL,
-    "Approximation": COPIES | {"__iter__": lambda one, at: list(one)},
+    "Approximation": COPIES | PAIR,
     "Continuity": COPIES,
     "SeamContinuity": COPIES,
     "Curvatures": COPIES,
     "JoinedPatches": COPIES,
     "Filling": COPIES,
-    "LoftSurface": COPIES | {"__iter__": lambda one, at: list(one)},
-    "NetworkSurface": COPIES | {"__iter__": lambda one, at: list(one)},
+    "LoftSurface": COPIES | PAIR,
+    "NetworkSurface": COPIES | PAIR,
     "RoundedEdge": COPIES,
     "SubdivisionPatches": COPIES,
     "Nearest": COPIES,

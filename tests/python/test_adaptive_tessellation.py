@@ -10,7 +10,7 @@ import splinecore as sc
 from meshes import counts_of, edges_of, faces_of, largest_distance, smallest_angle, triangles_of
 from sheets import random_sheet, set_of
 
-TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/teapot.json").read_text())
+TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/shape/teapot.json").read_text())
 
 
 def teapot():

@@ -10,7 +10,7 @@ from addon_core import core
 from splinecore import build
 
 caps, definitions, failures, lofts, rims, sections = (core(name) for name in (
-    'caps', 'definition', 'failures', 'lofts', 'rims', 'sections'))
+    'surfaces.caps', 'shape.definition', 'base.failures', 'surfaces.lofts', 'surfaces.rims', 'surfaces.sections'))
 RECIPES = core('recipes.table').RECIPES
 CIRCLE = sc.conics.circle((0, 0, 0), 1.0)
 

@@ -6,7 +6,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-along, definitions = core("along"), core("definition")
+along, definitions = core("net.along"), core("shape.definition")
 RNG = np.random.default_rng(2)
 POINTS, WEIGHTS = RNG.uniform(-1, 1, (7, 3)), RNG.uniform(0.5, 2, 7)
 

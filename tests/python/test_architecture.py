@@ -30,6 +30,39 @@ NATIVE_ARROWS = {
 }
 # A room of the add-on may import itself and these.
 ADDON_ARROWS = {'core': set(), 'bridge': {'core'}, 'ui': {'core', 'bridge'}}
+# Of core and bridge a room within may use itself and these.
+ROOMS_WITHIN = {
+    'core': {
+        'base': set(),
+        'native': {'base'},
+        'drawing': {'base'},
+        'shape': {'base'},
+        'formulas': {'base', 'shape'},
+        'verbs': {'base', 'shape'},
+        'deform': {'base', 'shape', 'verbs'},
+        'meets': {'base', 'shape', 'verbs'},
+        'joints': {'base', 'shape', 'verbs'},
+        'net': {'base', 'native', 'shape', 'verbs'},
+        'analysis': {'base', 'net', 'shape', 'verbs'},
+        'rounding': {'base', 'joints', 'verbs'},
+        'surfaces': {'base', 'joints', 'meets', 'shape', 'verbs'},
+        'recipes': {'base', 'deform', 'drawing', 'formulas', 'joints', 'meets', 'rounding', 'shape', 'surfaces', 'verbs'},
+    },
+    'bridge': {
+        'data': set(),
+        'mesh': {'data'},
+        'curve': {'data'},
+        'recipes': {'data'},
+        'cage': {'curve', 'data', 'mesh'},
+        'keys': {'cage', 'data', 'recipes'},
+        'shape': {'cage', 'curve', 'data', 'keys', 'mesh', 'recipes'},
+        'analysis': {'data', 'recipes', 'shape'},
+        'native': {'curve', 'data', 'keys', 'mesh', 'recipes', 'shape'},
+        'follow': {'curve', 'data', 'keys', 'native', 'recipes', 'shape'},
+        'net': {'cage', 'curve', 'data', 'follow', 'keys', 'mesh', 'recipes', 'shape'},
+        'edit': {'curve', 'data', 'follow', 'keys', 'mesh', 'native', 'recipes', 'shape'},
+    },
+}
 
 
 def native_files():
@@ -56,13 +89,18 @@ def imports(path):
                 yield from ((alias.name, node.level) for alias in node.names)
 
 
-def room_of_import(path, module, level):
-    """The room of the add-on that a relative import leads to, or None."""
+def parts_of_import(path, module, level):
+    """Where in the add-on a relative import leads to."""
     folder = path.parent
     for _ in range(level - 1):
         folder = folder.parent
-    target = (folder / module.replace('.', '/')).relative_to(ADDON)
-    return target.parts[0] if target.parts and target.parts[0] in ADDON_ARROWS else None
+    return (folder / module.replace('.', '/')).relative_to(ADDON).parts
+
+
+def room_of_import(path, module, level):
+    """The room of the add-on that a relative import leads to, or None."""
+    parts = parts_of_import(path, module, level)
+    return parts[0] if parts and parts[0] in ADDON_ARROWS else None
 
 
 def test_every_native_room_is_known():
@@ -141,6 +179,22 @@ def test_a_room_of_the_addon_imports_only_rooms_below_it(room):
                 assert target in (None, room) or target in ADDON_ARROWS[room], f"{path} imports {target}"
 
 
+@pytest.mark.parametrize('outer', ROOMS_WITHIN)
+def test_rooms_within_core_and_bridge_use_those_above_them_only(outer):
+    arrows = ROOMS_WITHIN[outer]
+    seen = set()
+    for room in arrows:
+        assert arrows[room] <= seen, f"{room} uses a room below it"
+        seen.add(room)
+    assert seen == {path.name for path in (ADDON / outer).iterdir() if path.is_dir() and path.name != '__pycache__'}
+    assert [path.name for path in (ADDON / outer).glob("*.py")] == ['__init__.py']
+    for path in sorted((ADDON / outer).rglob("*/*.py")):
+        room = path.relative_to(ADDON / outer).parts[0]
+        used = {parts[1] for parts in (parts_of_import(path, module, level) for module, level in imports(path) if level)
+                if len(parts) > 1 and parts[0] == outer}
+        assert used <= arrows[room] | {room}, f"{path} imports {used - arrows[room] - {room}}"
+
+
 def test_the_interface_for_scripts_calls_what_is_below_the_user_interface():
     path = ADDON / "api.py"
     assert {room_of_import(path, module, level) for module, level in imports(path) if level} <= {None, 'core', 'bridge'}
@@ -172,7 +226,7 @@ def test_the_addon_imports_itself_relatively_and_touches_no_search_path():
 def test_one_file_of_the_addon_knows_versions_of_blender():
     """Others ask it for a fact by its name."""
     for _, path in addon_files():
-        if path != ADDON / "bridge" / "versions.py":
+        if path != ADDON / "bridge" / "data" / "versions.py":
             assert not re.search(r'\bapp\.version|hasattr\(bpy\.', path.read_text()), path
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from addon_core import core
 
-checksum = core('checksum')
+checksum = core('base.checksum')
 
 
 def grid(count):

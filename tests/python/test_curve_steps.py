@@ -9,7 +9,7 @@ import splinecore as sc
 from addon_core import core
 from splinecore import build
 
-curve_steps = core('curve_steps')
+curve_steps = core('verbs.curve_steps')
 FOUR = math.radians(4.0)
 
 

@@ -10,8 +10,8 @@ import splinecore as sc
 from addon_core import core
 from shapes import circle, closed_cubic, curves, hermite_chain, random_points, torus, wavy_patch
 
-FAILURES = core("failures").FAILURES
-DEFINITION = core("definition")
+FAILURES = core("base.failures").FAILURES
+DEFINITION = core("shape.definition")
 TRIES = 400
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from addon_core import core
 
-decimals = core("decimals")
+decimals = core("base.decimals")
 
 
 @pytest.mark.parametrize('number, digits, text', (

@@ -8,7 +8,7 @@ import splinecore as sc
 from addon_core import core
 from splinecore import build
 
-deformable, definitions, failures, seams = core("deformable"), core("definition"), core("failures"), core("seams")
+deformable, definitions, failures, seams = core("deform.deformable"), core("shape.definition"), core("base.failures"), core("joints.seams")
 table = core("recipes.table")
 FULL = 2 * np.pi
 

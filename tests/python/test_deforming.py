@@ -7,7 +7,7 @@ import splinecore as sc
 from addon_core import core
 from splinecore import build
 
-deforming, definitions, failures, seams, turning = map(core, ("deforming", "definition", "failures", "seams", "turning"))
+deforming, definitions, failures, seams, turning = map(core, ("deform.deforming", "shape.definition", "base.failures", "joints.seams", "deform.turning"))
 table = core("recipes.table")
 FORMS = ("square", "triangle", "halves", "single")
 

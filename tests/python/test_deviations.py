@@ -6,7 +6,7 @@ import splinecore as sc
 from addon_core import core
 
 closest, deviations, faces, lengths, measuring = (core(name) for name in (
-    'sights.closest', 'sights.deviations', 'sights.faces', 'lengths', 'sights.measuring'))
+    'analysis.closest', 'analysis.deviations', 'analysis.faces', 'base.length_units', 'analysis.measuring'))
 all_at_once = measuring.all_at_once
 
 

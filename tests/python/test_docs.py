@@ -43,3 +43,9 @@ def test_pages_link_what_is_there(page):
 def test_the_mathematics_has_every_row():
     text = (PROJECT / "docs/mathematics.md").read_text()
     assert [int(row) for row in re.findall(r"^### S(\d+): ", text, re.M)] == list(range(1, 23))
+
+
+def test_the_reference_has_every_room_of_the_library():
+    text = (PROJECT / "docs/extensions/pages.py").read_text()
+    rooms = re.findall(r'"(\w+)": "', text.split("CPP_ROOMS = {")[1].split("}")[0])
+    assert sorted(rooms) == sorted(path.name for path in (PROJECT / "native/include/splinecore").iterdir() if path.is_dir())

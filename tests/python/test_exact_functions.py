@@ -7,7 +7,7 @@ from addon_core import ADDON
 
 FUNCTIONS = re.compile(r"np\.(sin|cos|tan|arc(sin|cos|tan2?)|sinh|cosh|tanh|exp2?|expm1|log(2|10|1p)?|cbrt)\(")
 #: What is only shown, told or compared.
-SHOWN = {"core/sights/frames.py", "core/neighbors.py", "core/pulling.py", "bridge/deviation_targets.py"}
+SHOWN = {"core/analysis/frames.py", "core/surfaces/neighbors.py", "core/deform/pulling.py", "bridge/analysis/deviation_targets.py"}
 
 
 def test_numpy_makes_no_shapes_by_functions_that_may_round_otherwise():

@@ -8,7 +8,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-definitions, failures, handles, joints, verbs = (core(name) for name in ("definition", "failures", "handles", "joints", "verbs"))
+definitions, failures, handles, joints, verbs = (core(name) for name in ("shape.definition", "base.failures", "net.handles", "joints.joints", "verbs.verbs"))
 KINDS = "FAVL"
 
 

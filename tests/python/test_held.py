@@ -6,7 +6,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-definitions, failures, held_seams, joints = core("definition"), core("failures"), core("held"), core("patch_joints")
+definitions, failures, held_seams, joints = core("shape.definition"), core("base.failures"), core("joints.held"), core("joints.patch_joints")
 Held = held_seams.Held
 KINDS = [(smoothness, moves) for smoothness in joints.SMOOTHNESS for moves in joints.MOVES]
 

@@ -9,10 +9,10 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-bounds, definitions, holds, joints = core("held_bounds"), core("definition"), core("held"), core("patch_joints")
+bounds, definitions, holds, joints = core("joints.held_bounds"), core("shape.definition"), core("joints.held"), core("joints.patch_joints")
 #: Of second derivatives there remain so many across a thousandth of a span; where seams cross, they agree to what Continuity sees.
-_DIGITS, _SEEN = 1e-7, core("joints").SMOOTH
-strips, Held = core("held_strips"), holds.Held
+_DIGITS, _SEEN = 1e-7, core("joints.joints").SMOOTH
+strips, Held = core("joints.held_strips"), holds.Held
 
 
 def cut_at(rng):

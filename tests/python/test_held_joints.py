@@ -8,7 +8,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-definitions, failures, holds, joints = core("definition"), core("failures"), core("held"), core("held_joints")
+definitions, failures, holds, joints = core("shape.definition"), core("base.failures"), core("joints.held"), core("joints.held_joints")
 Held = holds.Held
 MOVES = ('second', 'first', 'both')
 PLACES = {'start': 0, 'end': -1}

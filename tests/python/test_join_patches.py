@@ -329,7 +329,7 @@ def test_every_kind_of_patch_joins():
 
 
 def test_patches_of_the_teapot_get_tangent_planes():
-    path = Path(__file__).parents[2] / "addon" / "splinewright" / "core" / "teapot.json"
+    path = Path(__file__).parents[2] / "addon" / "splinewright" / "core" / "shape" / "teapot.json"
     data = json.loads(path.read_text("utf-8"))
     body = [sc.BezierPatch(np.array(data["points"])[np.reshape(rows, (4, 4))]) for rows in data["patches"]][4:8]
     above, below = body[0], body[1]

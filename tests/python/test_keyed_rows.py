@@ -6,7 +6,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-definitions, failures, keyed_rows = core("definition"), core("failures"), core("keyed_rows")
+definitions, failures, keyed_rows = core("shape.definition"), core("base.failures"), core("shape.keyed_rows")
 RANDOM = np.random.default_rng(5)
 
 

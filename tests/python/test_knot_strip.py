@@ -9,8 +9,8 @@ import splinecore as sc
 from addon_core import core
 
 decimals, definitions, knots, shared, strip = (
-    core(name) for name in ('decimals', 'definition', 'knots', 'shared_knots', 'knot_strip'))
-Refusal = core('failures').Refusal
+    core(name) for name in ('base.decimals', 'shape.definition', 'verbs.knots', 'shape.shared_knots', 'verbs.knot_strip'))
+Refusal = core('base.failures').Refusal
 RNG = np.random.default_rng(7)
 SCALES = (1e-150, 1e-6, 1.0, 1e6, 1e150)
 

@@ -15,7 +15,7 @@ import sys, types
 package = types.ModuleType("splinewright")
 package.__path__, package.__version__ = [sys.argv[1]], sys.argv[2]
 sys.modules["splinewright"] = package
-from splinewright.core import library
+from splinewright.core.base import library
 print(library.problem or "loaded " + library.sc.__file__)
 """
 
@@ -67,3 +67,11 @@ def test_a_wheel_for_another_python_or_without_a_list_is_told_of(site):
 
 def test_another_version_is_told_of(site):
     assert f"found a native module of version {sc.__version__}" in said(site, version="9.9.9")
+
+
+@pytest.mark.parametrize("symbol, words", [
+    ("GLIBC_2.35", "it needs glibc 2.35 or later"), ("GLIBCXX_3.4.30", "it needs a libstdc++ with GLIBCXX 3.4.30 or later")])
+def test_a_module_of_a_newer_linux_says_what_it_needs(site, symbol, words):
+    (site / "splinecore/__init__.py").write_text(
+        f"raise ImportError(\"/lib/libc.so.6: version `{symbol}' not found (required by _splinecore.so)\")")
+    assert words in said(site) and "does not load" not in said(site)

@@ -48,6 +48,17 @@ def test_spirals_about_curves(degree):
         assert np.abs((out * tangents).sum(1)).max() <= tolerance
 
 
+def test_a_helix_far_from_a_small_axis():
+    """The tolerance was that of the axis, which rounding of the radius kept from being reached for minutes."""
+    rng = np.random.default_rng(5813)
+    for _ in range(20):
+        points = [2.5e3, -4e2, 0] + 1e-5 * rng.normal(size=(5, 3))
+        axis = sc.NurbsCurve(4, [0] * 5 + [1] * 5, points, 10.0**rng.uniform(-3, 3, 5))
+        made = build.helix(axis, 2e3, 0.3)
+        off = np.linalg.norm(dense(made, 101) - points.mean(0), axis=1)
+        assert off == pytest.approx(2e3, rel=2e-6)
+
+
 SPHERE = build.sphere((0, 0, 0), 1)
 IMAGE = sc.BezierCurve([(0.2, 0.3), (1.5, 1.2), (3, 0.8), (3.9, 1.9)])
 

@@ -7,7 +7,7 @@ import splinecore as sc
 from addon_core import core
 from splinecore import build
 
-matching, definitions = core("matching"), core("definition")
+matching, definitions = core("surfaces.matching"), core("shape.definition")
 RECIPES = core("recipes.table").RECIPES
 SIDES = ("u_start", "u_end", "v_start", "v_end")
 

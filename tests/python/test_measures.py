@@ -17,7 +17,7 @@ from shapes import sphere_octant, wavy_patch
 from splinecore import build
 
 PI = math.pi
-TEAPOT = Path(__file__).resolve().parents[2] / "addon/splinewright/core/teapot.json"
+TEAPOT = Path(__file__).resolve().parents[2] / "addon/splinewright/core/shape/teapot.json"
 NODES, WEIGHTS = (array / 2 for array in np.polynomial.legendre.leggauss(40))
 NODES = NODES + 0.5
 

@@ -11,7 +11,7 @@ import mesh_checks
 import splinecore as sc
 from splinecore import build
 
-TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/teapot.json").read_text())
+TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/shape/teapot.json").read_text())
 ORIGIN, UP = (0, 0, 0), (0, 0, 1)
 PROFILE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2],
                         [(1, 0, 0), (1.5, 0, 0.5), (0.5, 0, 1), (1, 0, 1.5), (1.2, 0, 2)], [1, 2, 1, 0.5, 1])

@@ -6,7 +6,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-mirroring, definitions, recipes, verbs = (core(name) for name in ('mirroring', 'definition', 'recipes.table', 'verbs'))
+mirroring, definitions, recipes, verbs = (core(name) for name in ('deform.mirroring', 'shape.definition', 'recipes.table', 'verbs.verbs'))
 MIRROR = recipes.RECIPES['mirror']
 RANDOM = np.random.default_rng(20261128)
 
@@ -186,12 +186,12 @@ def test_a_parabola_between_two_ends_on_the_plane_is_closed_smoothly():
 def test_a_plane_that_the_shape_does_not_cross_is_suggested_before_others():
     """A loft of waves that stand on the floor: its first one lies in the plane, the ends of all on the floor, which they cross."""
     waves = [sc.BezierCurve([(-1, y, 0), (-0.3, y, -1.5), (0.3, y, 1.5), (1, y, 0)]) for y in (0.0, 1.0, 2.0)]
-    loft = core("definition").from_value(sc.build.loft(waves).value)
-    assert core("mirroring").suggested_axis(loft, 0.01) == 'y'
+    loft = core("shape.definition").from_value(sc.build.loft(waves).value)
+    assert core("deform.mirroring").suggested_axis(loft, 0.01) == 'y'
 
 
 def suggested(value):
-    return core("mirroring").suggested_axis(definitions.from_value(value), 0.01)
+    return core("deform.mirroring").suggested_axis(definitions.from_value(value), 0.01)
 
 
 def test_the_plane_in_which_a_border_lies_is_suggested_and_else_the_nearest_one():

@@ -7,7 +7,7 @@ import splinecore as sc
 from addon_core import core
 from test_local_updates import CASES, MESHES, set_of
 
-checksum, moved_positions = core('checksum'), core('moved_positions')
+checksum, moved_positions = core('base.checksum'), core('shape.moved_positions')
 
 
 def require_as_anew(moved, faces, patch_set):

@@ -8,7 +8,7 @@ from addon_core import core
 from splinecore import build
 from test_addon_caps import CIRCLE, make, moved, polygon
 
-failures, sections = core('failures'), core('sections')
+failures, sections = core('base.failures'), core('surfaces.sections')
 NAMES = ("ann", "bob", "cid", "dan", "eve", "fay")
 
 

@@ -83,7 +83,11 @@ def test_where_the_border_ends_at_a_fold_the_part_is_refused(inputs):
     ([[1, 2, 3, 4], [2, 5, 5, 1], [3, 5, 5, 2], [1, 2, 1, 3]], 4, 0),
     ([[1, 2, 3, 4], [2, 5, 5, 1], [3, 5, 5, 2]], 4, 1),
     ([[1, 2, 1], [3, 5, 5], [0, 5, 5]], 4, 2),
-    ([[1, 1, 1], [5, 5, 5], [2, 5, 5]], 5, 2)])
+    ([[1, 1, 1], [5, 5, 5], [2, 5, 5]], 5, 2),
+    ([[5, 5, 5], [2, 5, 5]], 5, 3),
+    ([[5, 5, 5], [4.99, 5, 5]], 5, 3),
+    ([[5, 5, 5], [2, 5, 5], [1, 1, 1]], 5, 2),
+    ([[2, 0, 5, 5, 5], [0, 1, 2, 5, 5]], 5, 3)])
 def test_a_level_face_at_the_border_ends_at_its_creases(heights, length, borders):
     """Beyond a crease the surface leaves the plane: the border of what they have in common ends there and is not lost."""
     heights = np.array(heights, float)
@@ -94,4 +98,4 @@ def test_a_level_face_at_the_border_ends_at_its_creases(heights, length, borders
         found = way.plane_sections((0, 0, 5), (0, 0, 1))
         assert found.are_one and found.kinds.count("border") == borders
         total = sum(curve.length() for curve in found.curves)
-        assert total == pytest.approx(length, abs=1e-4)
+        assert total == pytest.approx(length, abs=1e-3)

@@ -10,7 +10,7 @@ from addon_core import core
 from splinecore import build
 from test_addon_caps import CIRCLE, make, moved
 
-overlaps = core('overlaps')
+overlaps = core('surfaces.overlaps')
 UP = (0.0, 0.0, 1.0)
 
 
@@ -47,7 +47,7 @@ def test_pipes_and_sweeps_fold_where_the_rail_bends_more_than_they_allow(scale):
                 make('sweep', rail, moved(CIRCLE, size=radius), tolerance=1e-4 * scale).warning]
         for words in told:
             assert ("at u = 0.5: the surface folds there" in words) == is_too_thick, (radius, words)
-    assert f"with a radius of {core('decimals').text_of(bend)}" in told[0]
+    assert f"with a radius of {core('base.decimals').text_of(bend)}" in told[0]
 
 
 def keyhole():

@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import textwrap
 
 import numpy as np
@@ -15,6 +16,8 @@ import splinecore as sc
 
 NATIVE = pathlib.Path(__file__).resolve().parents[2] / "native"
 EXAMPLES = NATIVE.parent / "examples"
+#: Of what is compiled into the module.
+TEXTS = ("Eigen.txt", "GLM.txt", "nlohmann-json.txt", "pybind11.txt")
 PACKAGE = pathlib.Path(sc.__file__).resolve().parent
 
 
@@ -58,7 +61,8 @@ assert {"__init__.pyi", "basis.pyi", "build.pyi", "py.typed"} <= {path.name for 
 meta = importlib.metadata.metadata("splinecore")
 assert sc.__version__ == meta["Version"], meta["Version"]
 assert "GPL-3.0-or-later" in (meta["License-Expression"], meta["License"])
-assert any(path.name == "LICENSE" for path in importlib.metadata.files("splinecore"))
+texts = {path.name for path in importlib.metadata.files("splinecore") if "licenses" in path.parts}
+assert texts >= {"LICENSE", "Eigen.txt", "GLM.txt", "nlohmann-json.txt", "pybind11.txt"}, texts
 print(sc.__version__)
 """
 
@@ -82,6 +86,41 @@ def test_pip_install_gives_a_package_that_works_in_a_plain_python(tmp_path):
         pytest.skip(f"PyPI cannot be reached, so there is no scikit-build-core: {output[-200:]}")
     must(python, "-m", "pip", "install", "-q", "--no-build-isolation", NATIVE, env=as_the_build())
     assert must(python, "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
+
+
+@pytest.mark.skipif("SPLINECORE_TESTS_FEWER" in os.environ, reason="it compiles the library once more, with precompiled headers")
+def test_pip_makes_a_wheel_of_the_source_archive_that_works_in_a_plain_python(tmp_path):
+    """What `./run wheel` does. What it compiles is kept beside the build that the module came from, if it did."""
+    kept = PACKAGE.parents[1]
+    build = kept / "wheel" if (kept / "native/cmake_install.cmake").exists() else tmp_path / "wheel"
+    environment = {"CMAKE_ARGS": "-DSPLINECORE_STRICT=ON", "CCACHE_DEPEND": "1", "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
+    code, output = run(sys.executable, NATIVE / "release/here.py", build, tmp_path / "dist", env=environment)
+    if code == 3:
+        pytest.skip(output)
+    assert code == 0, output[-4000:]
+    assert "works in an empty environment" in output and "GLIBC" in output
+    assert re.search(r"SPLINECORE_PRECOMPILED:\w+=ON", (build / "objects/CMakeCache.txt").read_text())
+    assert must(build / "empty/bin/python", "-c", WHEEL_USE, cwd=tmp_path).strip() == version_of_cmake()
+    with tarfile.open(*(tmp_path / "dist").glob("splinecore-*.tar.gz")) as archive:
+        names = archive.getnames()
+    assert {"LICENSE", *(f"licenses/{text}" for text in TEXTS)} <= {name.partition("/")[2] for name in names}
+    assert not [name for name in names if "/release/" in name or "/build/" in name]
+
+
+@pytest.mark.parametrize("missing, words", [
+    (["Eigen3"], ["libeigen3-dev (Debian), eigen (Homebrew), eigen3 (vcpkg)"]),
+    (["glm", "nlohmann_json"], ["libglm-dev (Debian), glm (Homebrew), glm (vcpkg)",
+                                "3.11 or later: nlohmann-json3-dev (Debian), nlohmann-json (Homebrew), nlohmann-json (vcpkg)"]),
+    (["pybind11"], ["2.10 or later: pybind11-dev (Debian), pybind11 (Homebrew), pybind11 (vcpkg)"]),
+    (["Python"], ["3.11 or later: python3-dev (Debian), python (Homebrew), python3 (vcpkg)"])], ids="-".join)
+def test_what_is_missing_for_a_build_is_said_at_once_by_the_names_of_packages(missing, words, tmp_path):
+    if not shutil.which("cmake"):
+        pytest.skip("cmake is not installed")
+    code, said = run("cmake", "-S", NATIVE, "-B", tmp_path, *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in missing))
+    assert code != 0 and "is not installed here" in said
+    for line in words:
+        assert line in said, said
+    assert said.count("(Debian)") == len(missing)
 
 
 def installed(prefix, scratch):

@@ -13,7 +13,7 @@ from shapes import cylinder, hermite_net, revolved, sphere_octant, torus, wavy_p
 
 COUNT = 1000
 NAN, INF = math.nan, math.inf
-TEAPOT = Path(__file__).parents[2] / "addon" / "splinewright" / "core" / "teapot.json"
+TEAPOT = Path(__file__).parents[2] / "addon" / "splinewright" / "core" / "shape" / "teapot.json"
 VASE = [(0.0, 0.0), (0.45, 0.0), (0.72, 0.05), (0.95, 0.45), (1.05, 0.9), (0.80, 1.35),
         (0.45, 1.70), (0.28, 2.05), (0.30, 2.40), (0.42, 2.62), (0.56, 2.75), (0.62, 2.80)]
 

@@ -7,7 +7,7 @@ import splinecore as sc
 from addon_core import core
 from random_curves import random_curve, random_curves
 
-definitions, failures, pulling = core("definition"), core("failures"), core("pulling")
+definitions, failures, pulling = core("shape.definition"), core("base.failures"), core("deform.pulling")
 BY = np.array([0.3, -0.5, 0.7])
 
 

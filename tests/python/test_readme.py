@@ -52,3 +52,18 @@ def test_every_operator_for_scripts_is_there():
     for name in names:
         row = rf"^    (along|plain)\((\w+, )?'{name}', \""            # of the tables of operators without settings
         assert f'bl_idname = "splinewright.{name}"' in source or re.search(row, source, re.M), name
+
+
+def test_a_demo_has_a_few_scenes_that_the_readme_counts():
+    script = (PROJECT / "run").read_text()
+    scenes = re.search(r"^demo_scenes=\((.*)\)$", script, re.M)[1].split()
+    assert len(scenes) == 4 and "makes four sample scenes" in README
+    for scene in scenes:
+        assert (PROJECT / f"blend_samples/make_{scene}.py").is_file(), scene
+
+
+def test_a_zip_alone_compiles_no_tests():
+    script = (PROJECT / "run").read_text()
+    alone = re.search(r"^build_zip_alone\(\) \{\n(.*?)^\}", script, re.M | re.S)[1]
+    assert "-DSPLINEWRIGHT_TESTS=OFF" in alone and "SPLINECORE_PRECOMPILED=ON" in alone
+    assert re.search(r"^do_demo\(\) \{\n  build_zip_alone ", script, re.M) and "  zip) build_zip_alone" in script

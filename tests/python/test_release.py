@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import sysconfig
+import tomllib
 import zipfile
 
 import pytest
@@ -130,6 +131,29 @@ def test_a_legacy_zip_has_modules_and_no_manifest(tmp_path):
     assert "splinewright/blender_manifest.toml" not in found
 
 
+def test_a_zip_has_what_the_platform_for_extensions_asks_for(tmp_path):
+    done, path = made(tmp_path, "--wheels", wheel(tmp_path, "cp311", "manylinux_2_28_x86_64"))
+    assert done.returncode == 0, done.stderr
+    with zipfile.ZipFile(path) as archive:
+        names = set(archive.namelist())
+        manifest = tomllib.loads(archive.read("splinewright/blender_manifest.toml").decode())
+        texts = {name: archive.read(f"splinewright/licenses/{name}.txt").decode() for name in ("Eigen", "GLM", "nlohmann-json", "pybind11")}
+    assert "Mozilla Public License Version 2.0" in texts["Eigen"] and "splinewright/LICENSE" in names
+    for name, holder in (("Eigen", "Guennebaud"), ("GLM", "G-Truc"), ("nlohmann-json", "Lohmann"), ("pybind11", "Jakob")):
+        assert holder in texts[name] and any(holder in entry for entry in manifest["copyright"]), name
+    assert set(manifest["permissions"]) == permissions_used()
+    assert not [why for why in manifest["permissions"].values() if why.endswith(".") or len(why) > 64]
+    assert not [name for name in names if re.search(r"(^|/)(tests?|\.git|__pycache__)(/|$)", name)]
+
+
+def permissions_used():
+    """What the sources of the add-on use that Blender's manifest has a permission for."""
+    text = "".join(path.read_text() for path in (PROJECT / "addon/splinewright").rglob("*.py"))
+    signs = {"clipboard": r"\.clipboard\b", "files": "ImportHelper|ExportHelper|\\.write_text", "network": "urllib|requests|socket|http",
+             "camera": "opencv|cv2", "microphone": "sounddevice|pyaudio"}
+    return {name for name, sign in signs.items() if re.search(rf"{sign}", text)}
+
+
 def test_a_zip_without_a_library_is_refused(tmp_path):
     for arguments in ([], ["--modules", tmp_path], ["--wheels", wheel(tmp_path, "cp311", "win_amd64"), "--modules", tmp_path,
                                                     "--bindings", tmp_path]):
@@ -140,6 +164,7 @@ def test_a_zip_without_a_library_is_refused(tmp_path):
 def test_metadata_is_that_of_the_project():
     text = room("wheels").metadata()
     assert re.search(r"^Version: \d+\.\d+\.\d+$", text, re.M) and "License-Expression: GPL-3.0-or-later\n" in text
+    assert "License-File: LICENSE\nLicense-File: Eigen.txt\n" in text
     assert "Requires-Dist: numpy" in text and "Requires-Python: >=3.11\n" in text
 
 

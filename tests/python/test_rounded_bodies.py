@@ -11,7 +11,7 @@ from splinecore import build, conics
 from test_addon_caps import make
 from test_rounded_meshes import open_edges
 
-rounding, bodies, failures = core('rounding.edges'), core('rounding.body'), core('failures')
+rounding, bodies, failures = core('rounding.edges'), core('rounding.body'), core('base.failures')
 ball_corner = core('rounding.ball_corner')
 
 

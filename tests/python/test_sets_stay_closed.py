@@ -7,11 +7,11 @@ import numpy as np
 import splinecore as sc
 from addon_core import core
 
-bounds, definitions, holds, joints = core("held_bounds"), core("definition"), core("held"), core("patch_joints")
-seams, strips, verbs, patch_verbs = core("seams"), core("held_strips"), core("verbs"), core("patch_verbs")
+bounds, definitions, holds, joints = core("joints.held_bounds"), core("shape.definition"), core("joints.held"), core("joints.patch_joints")
+seams, strips, verbs, patch_verbs = core("joints.seams"), core("joints.held_strips"), core("verbs.verbs"), core("verbs.patch_verbs")
 SIDES = ('u_start', 'u_end', 'v_start', 'v_end')
 #: Continuity sees this much where seams cross.
-_SEEN = core("joints").SMOOTH
+_SEEN = core("joints.joints").SMOOTH
 
 
 def knots(rng, degree):

@@ -8,7 +8,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-continuity, definitions, joints, seams = core("continuity"), core("definition"), core("joints"), core("seams")
+continuity, definitions, joints, seams = core("joints.continuity"), core("shape.definition"), core("joints.joints"), core("joints.seams")
 
 
 def single(points):

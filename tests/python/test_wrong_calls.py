@@ -102,7 +102,7 @@ def test_the_sentence(call, sentence):
 
 
 def test_documentation_and_equality_stay():
-    assert sc.NurbsCurve.evaluate.__doc__.startswith("evaluate(self: ")
+    assert sc.NurbsCurve.evaluate.__doc__.startswith("Evaluate points of the curve.\n")
     assert "Overloaded" not in "".join(getattr(cls, key).__doc__ for _, cls, key in methods())
     assert LINE != 3 and LINE == sc.loads(sc.dumps(LINE)) and (LINE == "x") is False
 

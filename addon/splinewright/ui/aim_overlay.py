@@ -6,11 +6,12 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape, surveys
-from ..bridge.file_state import state
-from ..core import aiming
-from ..core.failures import FAILURES
-from . import strokes
+from ..bridge.analysis import surveys
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
+from ..core.verbs import parameter_picking
+from . import line_batches
+from .ui_state import ui_state
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 
@@ -28,7 +29,7 @@ class Aim(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    show(state.aimed)
+    show(ui_state.aimed)
 
 
 def show(aimed):
@@ -37,15 +38,15 @@ def show(aimed):
     if not shape.has_shape(ob):
         return
     try:
-        lines = [aimed.line] if aimed.line is not None else aiming.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
+        lines = [aimed.line] if aimed.line is not None else parameter_picking.lines(surveys.pieces_of(ob.data)[aimed.number - 1], aimed.parameters, aimed.direction)
     except (*FAILURES, IndexError):
         return                          # the shape is another one meanwhile
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(_stroke(line[np.isfinite(line).all(1)]) for line in lines)
+        line_batches.draw(_stroke(line[np.isfinite(line).all(1)]) for line in lines)
 
 
 def _stroke(line):
     if len(line) == 1:
-        return strokes.points(line, lambda: _COLOR, lambda: 10)
-    return strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)
+        return line_batches.points(line, lambda: _COLOR, lambda: 10)
+    return line_batches.lines(np.stack([line[:-1], line[1:]], 1), lambda: _COLOR, 3.0)

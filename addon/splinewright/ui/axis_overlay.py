@@ -4,11 +4,12 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import placing, recipes, shape
-from ..bridge.file_state import state
-from ..core.failures import FAILURES
+from ..bridge.recipes import placing, recipes
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
 from ..core.recipes.surface_recipes import axis_of
-from . import overlaid, strokes
+from . import line_batches, overlaid
+from .ui_state import ui_state
 
 _COLOR = (1.0, 0.62, 0.1, 0.9)
 _WIDTH = 1.5
@@ -56,11 +57,11 @@ def draw():
     """Called by Blender for each 3D view."""
     line = line_of(bpy.context.object) if bpy.context.space_data.overlay.show_overlays else None
     seen = [] if line is None else [overlaid.kept('axis drawn', bpy.context.object,
-                                                  lambda _: strokes.lines(line[None], lambda: _COLOR, _WIDTH))]
-    if state.edge is not None:
-        seen.append(strokes.lines(np.array(state.edge[1:])[None], lambda: _COLOR, _PICKED))
+                                                  lambda _: line_batches.lines(line[None], lambda: _COLOR, _WIDTH))]
+    if ui_state.edge is not None:
+        seen.append(line_batches.lines(np.array(ui_state.edge[1:])[None], lambda: _COLOR, _PICKED))
     if not seen:
         return
     gpu.state.blend_set('ALPHA')
-    strokes.draw(seen)
+    line_batches.draw(seen)
     gpu.state.blend_set('NONE')

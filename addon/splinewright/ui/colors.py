@@ -8,7 +8,7 @@ from . import preferences
 _UNKNOWN = (0.5, 0.5, 0.5, 1.0)
 #: What is in the way, or is not as one would think.
 WARNING = (1.0, 0.45, 0.2, 1.0)
-#: Of ui.sights_overlay.
+#: Of ui.analysis_overlay.
 CURVE = (0.3, 0.65, 1.0, 1.0)
 KNOTS, RIM = (1.0, 1.0, 1.0, 1.0), (0.0, 0.0, 0.0, 1.0)
 NORMALS, HODOGRAPH, CIRCLE = (0.35, 0.9, 1.0, 0.9), (1.0, 0.75, 0.3, 1.0), (1.0, 1.0, 1.0, 0.8)
@@ -20,7 +20,7 @@ SEAM_RIM = (1.0, 1.0, 1.0, 1.0)
 #: Of ui.knot_strip_overlay: what lies behind it, and behind texts at the mouse; texts, those outside the domain.
 STRIP, STRIP_LABEL = (0.0, 0.0, 0.0, 0.55), (0.0, 0.0, 0.0, 0.85)
 STRIP_TEXT, STRIP_FADED = (0.92, 0.92, 0.92, 1.0), (0.62, 0.62, 0.62, 1.0)
-#: By the classes of core.seams, from a gap to curvatures that agree: the preference and what it is called.
+#: By the classes of core.joints.seams, from a gap to curvatures that agree: the preference and what it is called.
 SEAMS = {-1: ("color_gap", "Gap"), 0: ("color_edge", "Edge"), 1: ("color_g1", "G1"), 2: ("color_g2", "G2")}
 
 
@@ -48,7 +48,7 @@ def of_arrows():
 
 
 def of_seams():
-    """RGBA by the classes of core.seams."""
+    """RGBA by the classes of core.joints.seams."""
     wanted = preferences.get()
     return {-2: _UNKNOWN, **{number: _opaque(getattr(wanted, name)) for number, (name, _) in SEAMS.items()}}
 

@@ -2,9 +2,12 @@
 
 import bpy
 
-from ..bridge import derived, follow, late, placing, recipes, shape, store
-from ..bridge.net import net_object
-from . import hand, recipe_props, texts
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.follow import follow, recipe_results
+from ..bridge.recipes import late, placing, recipes
+from ..bridge.shape import shape
+from . import active_shape, recipe_props, texts
 from .sub_panel import SidePanel
 
 
@@ -15,11 +18,11 @@ class SPLINEWRIGHT_PT_construction(SidePanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         return ob is not None and (recipes.has(ob.data) if net_object.is_net(context.object) else is_shown(ob))
 
     def draw(self, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         if net_object.is_net(context.object):
             _draw_numbers(self.layout, ob.data, is_net_out=True)
         else:
@@ -96,7 +99,7 @@ def _draw_following(layout, ob):
     if problem:
         texts.draw_problem(layout, problem)
     else:
-        for text in derived.not_followed_by(data, sources):
+        for text in recipe_results.not_followed_by(data, sources):
             texts.draw_note(layout, f"Not followed: {text}")
     _draw_update(layout, data)
     _draw_moving(layout, ob)

@@ -4,10 +4,13 @@ import math
 
 import bpy
 
-from ..bridge import held, replacing, store, surveys
-from ..bridge.net import live, net_object
-from ..core import continuity, held_joints
-from . import colors, hand, texts
+from ..bridge.analysis import surveys
+from ..bridge.cage import net_object
+from ..bridge.data import held, store
+from ..bridge.edit import replace_pieces
+from ..bridge.net import live
+from ..core.joints import continuity, held_joints
+from . import active_shape, colors, texts
 from .sub_panel import ClosedPanel
 
 #: Gaps, angles in degrees and differences of curvatures below it are none.
@@ -23,16 +26,16 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return hand.shape_of(context.object) is not None
+        return active_shape.shape_of(context.object) is not None
 
     def draw(self, context):
         try:
-            survey = surveys.survey_of(hand.shape_of(context.object).data)
+            survey = surveys.survey_of(active_shape.shape_of(context.object).data)
         except store.UnreadableDefinition:
             return                      # the panel above says it
         if net_object.is_net(context.object) and live.problem(context.object):
             texts.draw_note(self.layout, "As it was before the last change, which is not shown")
-        data = hand.shape_of(context.object).data
+        data = active_shape.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
         if survey.bendable:
             texts.draw_note(self.layout, f"Pulled at {survey.bendable:,} knots inside it may crease: deformable or rebuilt it stays smooth")
@@ -43,7 +46,7 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
             self.layout.prop(data.splinewright, "show_seams")
             if data.splinewright.show_seams:
                 colors.draw_legend(self.layout)
-        if hand.count_of(data) > 1:
+        if active_shape.count_of(data) > 1:
             self.layout.prop(data.splinewright, "show_numbers")
         _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
         _draw_joints(self.layout, survey, _Locks(self.layout, data))
@@ -68,7 +71,7 @@ class _Locks:
             texts.draw_problem(layout, str(error))
             layout.operator(f"splinewright.release_{self._of}", text="Release All")
             self._known = {}
-        self._can_change = replacing.seems_changeable(data)
+        self._can_change = replace_pieces.seems_changeable(data)
         self.reasons = []               # why some may not, each once
 
     def holds(self, joint):

@@ -6,12 +6,12 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import deviations, sights
-from ..bridge.file_state import state
-from ..core import lengths
-from ..core.failures import FAILURES
-from ..core.sights import deviations as measures
-from . import legend, strokes, surface_shader, timers
+from ..bridge.analysis import deviations, overlays
+from ..core.analysis import deviations as measures
+from ..core.base import length_units
+from ..core.base.failures import FAILURES
+from . import legend, line_batches, surface_shader, timers
+from .ui_state import ui_state
 
 #: Seconds after the last change until distances are measured in the end, and from one part of that to the next.
 _SETTLE, _NEXT = 0.3, 0.01
@@ -24,8 +24,8 @@ _NAME = 20
 class Shown(NamedTuple):
     """What shapes show of one object."""
 
-    obs: list                           # [(object, its core.sights.deviations.Deviation)]
-    words: str                          # of bridge.deviation_targets
+    obs: list                           # [(object, its core.analysis.deviations.Deviation)]
+    words: str                          # of bridge.analysis.deviation_targets
     reach: float                        # the distance that has the last color
     share: float                        # how much is measured in the end, of 1
 
@@ -34,9 +34,9 @@ def draw(chosen, obs):
     """In the 3D view at hand, over the faces of those objects that are surfaces."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'MESH'):
-        batch = sights.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
+        batch = overlays.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with strokes.nearer(_PART):
+        with line_batches.nearer(_PART):
             surface_shader.draw(batch, ob.matrix_world, 'NUMBERS', reach=shown.reach, colors=surface_shader.DISTANCES)
     gpu.state.depth_test_set('NONE')
 
@@ -45,11 +45,11 @@ def draw_lines(chosen, obs):
     """In the 3D view at hand, along those that are curves."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'CURVE'):
-        lines = sights.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
+        lines = overlays.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with gpu.matrix.push_pop(), strokes.nearer():
+        with gpu.matrix.push_pop(), line_batches.nearer():
             gpu.matrix.multiply_matrix(ob.matrix_world)
-            strokes.draw([lines])
+            line_batches.draw([lines])
     gpu.state.depth_test_set('NONE')
 
 
@@ -59,16 +59,16 @@ def draw_legend(context, chosen, obs):
     if not shown:
         return
     system = context.scene.unit_settings
-    unit = lengths.unit_for(shown.reach, system.system, system.length_unit, system.scale_length)
+    unit = length_units.unit_for(shown.reach, system.system, system.length_unit, system.scale_length)
     name = chosen.deviation_object.name
-    numbers = [lengths.text(part / 4 * shown.reach, unit) for part in range(5)] if shown.obs else []
+    numbers = [length_units.text(part / 4 * shown.reach, unit) for part in range(5)] if shown.obs else []
     legend.draw(context, ["Distance to", name if len(name) <= _NAME else f"{name[:_NAME - 1]}…", f"({shown.words})"],
                 numbers, surface_shader.DISTANCES, _notes(shown, unit))
 
 
-def settle():
+def rest():
     """Nothing has changed for a while."""
-    state.is_still = True
+    ui_state.is_still = True
     redraw()
 
 
@@ -77,9 +77,9 @@ def _notes(shown, unit):
     if shown.obs:
         largest, mean = measures.over_all([deviation for _, deviation in shown.obs])
         about = "" if shown.share == 1.0 else "≈ "
-        notes.append(f"Largest {about}{lengths.text(largest, unit)}")
+        notes.append(f"Largest {about}{length_units.text(largest, unit)}")
         if len({ob.type for ob, _ in shown.obs}) == 1:
-            notes.append(f"Mean {about}{lengths.text(mean, unit)}")
+            notes.append(f"Mean {about}{length_units.text(mean, unit)}")
     if shown.share < 1.0 and (shown.share > 0.0 or not shown.obs):
         notes.append(f"Measuring: {100 * shown.share:.0f} %")
     return notes
@@ -106,7 +106,7 @@ def _shown(chosen, obs):
     found, shares = [], []
     for ob in obs:
         if ob != other:
-            deviation, share, is_new = deviations.of(ob, target, state.is_still)
+            deviation, share, is_new = deviations.of(ob, target, ui_state.is_still)
             if is_new:
                 _wait()
             if deviation is not None and np.isfinite(deviation.largest):
@@ -114,7 +114,7 @@ def _shown(chosen, obs):
             if deviation is not None or share < 1.0:
                 shares.append(share)
     share = sum(shares) / len(shares) if shares else 1.0
-    if state.is_still and share < 1.0:
+    if ui_state.is_still and share < 1.0:
         timers.later(redraw, _NEXT)
     if not found and share == 1.0:
         return None
@@ -123,18 +123,18 @@ def _shown(chosen, obs):
 
 
 def _wait():
-    state.is_still = False
-    timers.later(settle, _SETTLE)
+    ui_state.is_still = False
+    timers.later(rest, _SETTLE)
 
 
 def _surface(data, deviation):
-    known, _, _ = sights.kept(data, 'placed', (), deviations.faces_of)
+    known, _, _ = overlays.kept(data, 'placed', (), deviations.faces_of)
     return surface_shader.batch(known._replace(values=deviation.values.astype(np.float32)))
 
 
 def _lines(data, deviation, reach):
-    pairs = sights.kept(data, 'lines', (), deviations.lines_of)
+    pairs = overlays.kept(data, 'lines', (), deviations.lines_of)
     parts = deviation.values.ravel() / reach if reach > 0.0 else np.zeros(deviation.values.size)
     shades = np.append(surface_shader.colors_at(2.0 * parts - 1.0, surface_shader.DISTANCES), np.ones((parts.size, 1)), 1)
     is_known = np.isfinite(parts.reshape(-1, 2)).all(1)
-    return strokes.colored(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)
+    return line_batches.colored(pairs[is_known], shades.reshape(-1, 2, 4)[is_known], _WIDTH)

@@ -2,14 +2,15 @@
 
 import bpy
 
-from . import (aim_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay,
-               seams_overlay, sections_overlay, sights_overlay, stopped, weight_overlay)
+from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay,
+               measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay,
+               stopped, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
 _DRAWS = (
-    (sights_overlay.draw_paint, 'POST_VIEW'), (sights_overlay.draw_legend, 'POST_PIXEL'),
+    (analysis_overlay.draw_paint, 'POST_VIEW'), (analysis_overlay.draw_legend, 'POST_PIXEL'),
     (overlay.draw_lines, 'POST_VIEW'),
-    (sights_overlay.draw, 'POST_VIEW'),
+    (analysis_overlay.draw, 'POST_VIEW'),
     (seams_overlay.draw, 'POST_VIEW'),
     (overlay.draw_points, 'POST_VIEW'),
     (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),

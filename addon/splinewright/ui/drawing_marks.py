@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from ..bridge import beside
-from ..core import contours, marks
-from ..core.failures import FAILURES
+from ..bridge.follow import neighboring_curves
+from ..core.base.failures import FAILURES
+from ..core.drawing import contours, snap_marks
 from . import picking
 
 #: How near in pixels, of an interface that is not scaled.
@@ -16,20 +16,20 @@ class Marks:
 
     def __init__(self, context):
         self.are_on = True
-        self._segments = marks.segments(beside.curves_of(None, context.visible_objects, context.evaluated_depsgraph_get()))
-        self._known = self._found = marks.of_segments(self._segments)
+        self._segments = snap_marks.segments(neighboring_curves.curves_of(None, context.visible_objects, context.evaluated_depsgraph_get()))
+        self._known = self._found = snap_marks.of_segments(self._segments)
 
     def begin_at(self, drawn):
         """A point was added to what is drawn, or taken back."""
         try:
-            own = marks.segments(contours.parts_of(drawn)) if len(drawn.points) > 1 else []
+            own = snap_marks.segments(contours.parts_of(drawn)) if len(drawn.points) > 1 else []
         except FAILURES:
             own = []
-        feet = marks.feet(self._segments, drawn.points[-1]) if drawn.points else []
-        self._found = [*self._known, *marks.of_segments(own), *feet]
+        feet = snap_marks.feet(self._segments, drawn.points[-1]) if drawn.points else []
+        self._found = [*self._known, *snap_marks.of_segments(own), *feet]
 
     def at(self, region, view, pixel):
-        """The core.marks.Mark nearest to a pixel of a region; None where none is near."""
+        """The core.drawing.snap_marks.Mark nearest to a pixel of a region; None where none is near."""
         if not (self.are_on and self._found):
             return None
         places = np.array([mark.place for mark in self._found])

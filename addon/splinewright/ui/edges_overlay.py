@@ -7,8 +7,8 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge.file_state import state
-from . import numbers_overlay, picking, strokes
+from . import line_batches, numbers_overlay, picking
+from .ui_state import ui_state
 
 _OTHER = (1.0, 1.0, 1.0, 0.35)
 _SIZE = 15.0
@@ -30,21 +30,21 @@ class Edges(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    found = state.rounding
+    found = ui_state.rounding
     if found is None:
         return
     order = sorted(range(1, len(found.lines) + 1), key=lambda number: found.look_of(number)[1])
     gpu.state.depth_test_set('NONE')
-    strokes.draw(_stroke(found.lines[number - 1], *found.look_of(number)) for number in order)
+    line_batches.draw(_stroke(found.lines[number - 1], *found.look_of(number)) for number in order)
 
 
 def _stroke(line, color, width):
-    return strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: color, width)
+    return line_batches.lines(np.stack([line[:-1], line[1:]], 1), lambda: color, width)
 
 
 def draw_numbers():
     """Called by Blender for each 3D view, in pixels."""
-    found, context = state.rounding, bpy.context
+    found, context = ui_state.rounding, bpy.context
     if found is None:
         return
     scale = context.preferences.system.ui_scale

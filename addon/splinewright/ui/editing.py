@@ -5,11 +5,16 @@ from contextlib import nullcontext, suppress
 
 import bpy
 
-from ..bridge import point_keys, problems, recipes, remaking, shape, store
-from ..bridge.file_state import block_of, ended_operators, key, state
-from ..bridge.net import free_net, live, magnet, net_object, selection
-from ..core.failures import FAILURES, Refusal, sentence, told
+from ..bridge.cage import free_net, net_object
+from ..bridge.data import problems, store
+from ..bridge.data.file_state import block_of, ended_operators, key, state
+from ..bridge.keys import point_keys
+from ..bridge.net import live, magnet, selection
+from ..bridge.recipes import recipes
+from ..bridge.shape import recipe_edit, shape
+from ..core.base.failures import FAILURES, Refusal, sentence, text_of
 from . import progress
+from .ui_state import ui_state
 
 
 def why_not(ob):
@@ -41,14 +46,14 @@ def _known_nets():
     layer = bpy.context.view_layer
     active = layer.objects.active if layer is not None else None
     near = {key(active): active} if active is not None else {}
-    return [near.get(name) or block_of(name) for name in sorted(state.nets)]
+    return [near.get(name) or block_of(name) for name in sorted(ui_state.nets)]
 
 
 def find_nets():
     """Scan the file."""
-    state.nets.clear()
-    state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
-    state.kept &= state.nets
+    ui_state.nets.clear()
+    ui_state.nets.update(key(ob) for ob in bpy.data.objects if _is_out(ob))
+    ui_state.kept &= ui_state.nets
 
 
 def _is_out(ob):
@@ -105,7 +110,7 @@ def enter(context, active, progress=shape.no_progress):
         ob.select_set(False)
     for ob in put_out:
         ob.select_set(True)
-        state.nets.add(key(ob))
+        ui_state.nets.add(key(ob))
     context.view_layer.objects.active = put_out[0]
     with suppress(RuntimeError):        # where Blender refuses, the mode tells
         bpy.ops.object.mode_set(mode='EDIT')
@@ -115,7 +120,7 @@ def enter(context, active, progress=shape.no_progress):
         raise Refusal(f"{active.name} is not in the current view layer: its net cannot be edited from here")
     for ob in put_out:
         if ob not in made:
-            live.pull(ob)
+            live.sync_from_cage(ob)
     settle_magnet()
     return put_out
 
@@ -123,17 +128,17 @@ def enter(context, active, progress=shape.no_progress):
 def settle_magnet():
     """What moves with nets is no target of Blender's magnet, and all else is."""
     for scene in bpy.data.scenes:
-        magnet.settle(scene, nets())
+        magnet.exclude_nets(scene, nets())
 
 
 def _put_out(context, ob):
     data = ob.data
     shape.require_writable(data)
     shape.require_untouched(data)
-    definition = remaking.edited(data)
+    definition = recipe_edit.edited(data)
     numbers = net_object.net_of(definition)
-    is_free = remaking.takes_any_count(data)
-    is_closed = is_free and remaking.is_closed(data)
+    is_free = recipe_edit.takes_any_count(data)
+    is_closed = is_free and recipe_edit.is_closed(data)
     held = net_object.make(ob, definition, numbers, context.scene)      # nothing raises from here on
     if is_free:
         free_net.set_free(held.data, is_closed)
@@ -172,7 +177,7 @@ def _brought_back(context, held):
 def unread(nets):
     """What the shapes of nets in Edit Mode do not take, as one sentence, or ""."""
     for ob in nets:
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return "; ".join(filter(None, map(live.unread, nets)))
 
 
@@ -199,12 +204,12 @@ def put_away(context, ob):
     if not _is_copy(ob):
         net_object.end(ob)
         if owner is not None:
-            point_keys.settle(owner.data)
+            point_keys.finalize(owner.data)
     layer = context.view_layer
     others = net_object.remembered(ob)
     was_active, was_selected = layer.objects.active == ob, _is_in(layer, ob) and ob.select_get()
-    state.nets.discard(key(ob))
-    state.kept.discard(key(ob))
+    ui_state.nets.discard(key(ob))
+    ui_state.kept.discard(key(ob))
     net_object.remove(ob)
     if owner is None:
         return
@@ -256,25 +261,25 @@ def _same(points, chosen, before):
 def sweep():
     """Put away the nets that were left by another way than leave(), and copies of nets. One that holds what its shape
     does not take stays, as an object. Whatever goes wrong with one is shown: others are to be swept, too."""
-    if state.suspended:                 # a file is being saved
+    if ui_state.suspended:                 # a file is being saved
         return
     find_nets()
     for ob in nets():
         try:
             _sweep(ob)
         except Exception as error:
-            problems.tell(ob.data, problems.NET, told(error))
+            problems.set_problem(ob.data, problems.NET, text_of(error))
     settle_magnet()
 
 
 def _sweep(ob):
-    state.kept.discard(key(ob))
+    ui_state.kept.discard(key(ob))
     if ob.mode == 'EDIT' or ob.mode != 'OBJECT' and not _to_object_mode(ob):
         return
     if ob.users_scene and not _is_copy(ob):
-        live.pull(ob)
+        live.sync_from_cage(ob)
         if live.unread(ob):
-            state.kept.add(key(ob))
+            ui_state.kept.add(key(ob))
             return
     put_away(bpy.context, ob)
 
@@ -313,14 +318,14 @@ def end():
     sweep()
     for ob in nets():
         if ob.mode == 'EDIT':           # in another scene
-            live.pull(ob)
+            live.sync_from_cage(ob)
             if not live.unread(ob):
                 put_away(context, ob)
     for scene in bpy.data.scenes:
-        magnet.settle(scene, ())
+        magnet.exclude_nets(scene, ())
 
 
-def settle():
+def finalize():
     """Exact normals for the shapes of all nets."""
     for ob in nets():
         owner = net_object.shape_of(ob)
@@ -341,12 +346,12 @@ def _settle(owner, held=None, step=shape.no_progress):
     try:
         if held is not None:
             live.look_at_all(held)
-        live.settle(owner.data, step)
+        live.finalize(owner.data, step)
     except Exception as error:
-        problems.tell(owner.data, problems.SETTING, told(error))
+        problems.set_problem(owner.data, problems.SETTING, text_of(error))
 
 
-def awaken():
+def reactivate():
     """After undo without Blender's global undo: nets that were left are in Edit Mode again, and are to be seen there."""
     for ob in bpy.data.objects:
         if net_object.is_net(ob) and net_object.awakened(ob, bpy.context.scene):
@@ -354,31 +359,31 @@ def awaken():
             bpy.context.view_layer.objects.active = ob
 
 
-def take_up():
+def adopt_rows():
     """A timer: nets take up rows that were cut in when the operator has ended, which may slide them until then, and rows
     that are gone with the faces beside them, for which others are to be made."""
     waiting = [ob for ob in nets() if ob.mode == 'EDIT' and live.is_waiting(ob)]
-    if waiting and ended_operators() == state.awaited:
+    if waiting and ended_operators() == ui_state.awaited:
         return _LOOK
     for ob in waiting:
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return None
 
 
-#: Seconds until take_up() looks again.
+#: Seconds until adopt_rows() looks again.
 _LOOK = 0.02
 
 
-def hand_over():
+def select_originals():
     """Where points were duplicated and that was called off, the points themselves are selected, not their copies.
 
     Only what an operator left when it had ended is looked at, since Blender is in the middle of one otherwise.
     """
     ended = ended_operators()
-    if not ended or ended in (state.handed, state.began):
+    if not ended or ended in (ui_state.handed, state.began):
         return
     if _DUPLICATING.search(bpy.context.window_manager.operators[-1].bl_idname):
-        state.handed = ended
+        ui_state.handed = ended
         hand_over_now()
 
 
@@ -391,8 +396,8 @@ def hand_over_now():
         session = live.known_session(ob.data) if ob.mode == 'EDIT' else None
         if session is not None and live.note(ob) and not free_net.is_free(ob.data):
             with suppress(Refusal):     # of which live.problem() tells
-                selection.hand_over(ob, session.net)
-                live.pass_over(ob)
+                selection.select_originals(ob, session.net)
+                live.ignore_called_off(ob)
 
 
 def want_whole_step():

@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..bridge import replacing, store
-from ..core import definition as definitions
-from ..core import formulas
+from ..bridge.data import store
+from ..bridge.edit import replace_pieces
+from ..core.formulas import formulas
+from ..core.shape import definition as definitions
 from . import texts
 from .sub_panel import ClosedPanel
 
@@ -19,7 +20,7 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return replacing.is_curve_shape(context.object)
+        return replace_pieces.is_curve_shape(context.object)
 
     def draw(self, context):
         column = self.layout.column(align=True)

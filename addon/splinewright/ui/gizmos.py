@@ -5,11 +5,11 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-from ..bridge import sights
-from ..bridge.file_state import state
+from ..bridge.data.settings import overlays_of
 from ..bridge.net import live, weighing
-from . import aim_overlay, editing, hand, hints, keymaps, knot_strip, measure_overlay, numbers_overlay, toolbar
+from . import active_shape, aim_overlay, editing, hints, keymaps, knot_strip, measure_overlay, numbers_overlay, toolbar
 from .operators import at_sides, curve_here, insert_here, measure_here, move_knot, weight_here
+from .ui_state import ui_state
 
 _DIAL = 0.28
 
@@ -75,7 +75,7 @@ class SPLINEWRIGHT_GT_aim(bpy.types.Gizmo):
 
     def draw(self, context):
         tool = toolbar.active(context)
-        is_drawn_by_others = state.is_pointing or state.aimed or state.sides
+        is_drawn_by_others = ui_state.is_pointing or ui_state.aimed or ui_state.sides
         if self.aim and tool and tool.preview == self.aim[0] and not is_drawn_by_others:
             _PREVIEWS[tool.preview][1](self.aim[1])
 
@@ -90,7 +90,7 @@ class SPLINEWRIGHT_GGT_aim(bpy.types.GizmoGroup):
     @classmethod
     def poll(cls, context):
         tool = toolbar.active(context)
-        return bool(tool and tool.preview and hand.shapes(context))
+        return bool(tool and tool.preview and active_shape.shapes(context))
 
     def setup(self, context):
         self.gizmos.new(SPLINEWRIGHT_GT_aim.bl_idname)
@@ -109,7 +109,7 @@ class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):
     @classmethod
     def poll(cls, context):
         nets = editing.nets_in_edit_mode(context)
-        if not nets or not (sights.of(context.scene).weights or toolbar.is_active(context, "weight")):
+        if not nets or not (overlays_of(context.scene).weights or toolbar.is_active(context, "weight")):
             return False
         return context.space_data.show_gizmo and middle(context) is not None
 
@@ -135,16 +135,16 @@ class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
     def test_select(self, context, location):
         hit = knot_strip.hit(context, *location)
         pointed = hit and knot_strip.pointed(context.region, hit)
-        if pointed != state.pointed_knot:
-            state.pointed_knot = pointed
+        if pointed != ui_state.pointed_knot:
+            ui_state.pointed_knot = pointed
             context.area.tag_redraw()
             hints.redraw(context)
         return -1 if hit is None else 0
 
     def draw(self, context):
-        pointed = state.pointed_knot
+        pointed = ui_state.pointed_knot
         if pointed and pointed.region == context.region.as_pointer() and not self.is_highlight:
-            state.pointed_knot = None   # the mouse has left the view
+            ui_state.pointed_knot = None   # the mouse has left the view
             context.area.tag_redraw()
             hints.redraw(context)
 

@@ -5,11 +5,16 @@ import sys
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import deviation_targets, follow, keyed, late, recipes, transforming, versions
-from ..bridge.file_state import ended_operators, forget, key, look_again, state
-from ..bridge.net import dragging, live
-from ..bridge.net.growing import Moment
-from . import deviation_paint, editing, errands, hints, messages, saving, texts, timers
+from ..bridge.analysis import deviation_targets
+from ..bridge.data import file_state, versions
+from ..bridge.data.file_state import ended_operators, key, look_again, state
+from ..bridge.edit import transforming
+from ..bridge.follow import follow
+from ..bridge.net import dragging, keyed, live
+from ..bridge.net.growing import Phase
+from ..bridge.recipes import late, recipes
+from . import deviation_paint, editing, hints, main_thread, messages, saving, texts, timers
+from .ui_state import forget, ui_state
 
 #: Seconds after the last move until a shape gets its exact normals.
 _SETTLE = 0.3
@@ -20,12 +25,12 @@ _LOOK = 0.1
 @persistent
 def updated(scene, depsgraph):
     """Shapes follow their nets, their inputs, their keys and drivers. Cheap where nothing changed."""
-    if not errands.is_main_thread():
+    if not main_thread.is_main_thread():
         return                          # of a render: frame_changed() sees to that
     state.overlaid.clear()
-    occasion = dragging.occasion(depsgraph.updates) if state.nets else None
+    occasion = dragging.occasion(depsgraph.updates) if ui_state.nets else None
     if state.drag and dragging.goes_on(occasion):
-        timers.later(editing.settle, _SETTLE)
+        timers.later(editing.finalize, _SETTLE)
         return
     _put_back_after_failure()
     is_new = _look_through()
@@ -36,10 +41,10 @@ def updated(scene, depsgraph):
         _look_again(depsgraph.updates)
         changed = _changed_blocks(depsgraph.updates)
         _take_in_applied(depsgraph)
-    written = _follow_nets(changed) if state.nets else set()
-    if state.nets or state.status:
+    written = _follow_nets(changed) if ui_state.nets else set()
+    if ui_state.nets or ui_state.status:
         messages.refresh()
-    if errands.is_away():
+    if main_thread.is_away():
         return                          # a render is at another frame
     changed |= written
     if changed:
@@ -52,11 +57,11 @@ def updated(scene, depsgraph):
         follow.refresh(changed, depsgraph, _budget(sys._getframe().f_back))
     if state.late:
         timers.later(_finish_late, _SETTLE)
-    if state.followers or state.stopped:
+    if state.followers or ui_state.stopped:
         if is_new or depsgraph.id_type_updated('SCENE') or depsgraph.id_type_updated('COLLECTION'):
             follow.look_for_inputs()
         hints.say_stopped()
-    if len(state.nets) == len(written) == 1 and _is_alone(changed - written):
+    if len(ui_state.nets) == len(written) == 1 and _is_alone(changed - written):
         dragging.begin(*editing.nets(), occasion)
     state.seen = ended_operators()
 
@@ -69,7 +74,7 @@ def _budget(caller):
 
 def _finish_late():
     """The mouse rests: what was put off is made."""
-    if errands.is_away():
+    if main_thread.is_away():
         timers.later(_finish_late, _SETTLE)
         return
     due = late.waiting(_is_released())
@@ -100,13 +105,13 @@ def undoes(*_):
     """In Edit Mode undo leaves the frame alone, and so it is where a step holds the whole file."""
     scene = bpy.context.scene
     is_out = any(ob.mode == 'EDIT' for ob in editing.nets())
-    state.frame_before = (scene.name, scene.frame_current, scene.frame_subframe) if is_out else ()
+    ui_state.frame_before = (scene.name, scene.frame_current, scene.frame_subframe) if is_out else ()
 
 
 def _keep_frame():
     """Be at the frame again where undo began, with nets as they came back: they are newer than their keys."""
-    name, *frame = state.frame_before or ("", 0, 0.0)
-    state.frame_before, scene = (), bpy.context.scene
+    name, *frame = ui_state.frame_before or ("", 0, 0.0)
+    ui_state.frame_before, scene = (), bpy.context.scene
     if scene.name != name or [scene.frame_current, scene.frame_subframe] == frame:
         return
     if any(ob.mode == 'EDIT' for ob in editing.nets()):
@@ -121,17 +126,17 @@ def undone(*_):
     for known in (state.late, state.touched, state.selected, state.drawn, state.sights, state.shown, state.targets, state.overlaid):
         known.clear()
     state.drag = None
-    state.handed = state.began = ended_operators()
-    state.was_undone = True
-    editing.awaken()
+    ui_state.handed = state.began = ended_operators()
+    ui_state.was_undone = True
+    editing.reactivate()
     editing.find_nets()
     follow.scan()
-    live.trust()
+    live.accept_undo()
     _keep_frame()
     _pull_all()
     editing.settle_magnet()
     messages.refresh()
-    if state.followers or state.stopped:
+    if state.followers or ui_state.stopped:
         follow.look_for_inputs()
         hints.say_stopped()
 
@@ -139,16 +144,17 @@ def undone(*_):
 @persistent
 def loaded(*_):
     messages.take_back()
+    file_state.forget()
     forget()
     undone()
     hints.follow_tools()
     recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
-    state.is_scanned, state.was_undone = True, False
+    ui_state.is_scanned, ui_state.was_undone = True, False
 
 
 def _look_through():
     """Whether the file was open before the add-on was there. In background handlers are the first to notice."""
-    if state.is_scanned:
+    if ui_state.is_scanned:
         return False
     loaded()
     return True
@@ -167,7 +173,7 @@ def frame_changes(*_):
 def render_begins(scene, *_):
     """Of a still, which may show the frame as it is."""
     if state.late:
-        errands.in_main_thread(_finish_all, scene)
+        main_thread.in_main_thread(_finish_all, scene)
 
 
 def _finish_all():
@@ -177,14 +183,14 @@ def _finish_all():
 @persistent
 def frame_changed(scene, depsgraph):
     """The shapes of another frame: in views, renders and exports."""
-    if state.targets and errands.is_main_thread():
+    if state.targets and main_thread.is_main_thread():
         deviation_targets.look_again(depsgraph.updates)
     changed = _changed_blocks(depsgraph.updates)
     state.overlaid.clear()
     if len(bpy.app.handlers.frame_change_post) > 1:
         _evaluate(depsgraph)
-    if not state.is_scanned or state.followers or any(map(keyed.is_shape, changed)):
-        errands.in_main_thread(lambda: _show_frame(changed, depsgraph), scene)
+    if not ui_state.is_scanned or state.followers or any(map(keyed.is_shape, changed)):
+        main_thread.in_main_thread(lambda: _show_frame(changed, depsgraph), scene)
 
 
 def _show_frame(changed, depsgraph):
@@ -200,7 +206,7 @@ def _evaluate(depsgraph):
 
     Not where a render goes on from the frame before: it would not learn what changed. There the shapes are late by a frame.
     """
-    if errands.is_main_thread() and depsgraph == bpy.context.evaluated_depsgraph_get():
+    if main_thread.is_main_thread() and depsgraph == bpy.context.evaluated_depsgraph_get():
         return                          # that has done it, where there was anything to do
     if not depsgraph.scene.render.use_persistent_data:
         depsgraph.update()
@@ -210,16 +216,16 @@ def _come_back():
     """A render or an export is over; views show the frame at hand."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     follow.refresh_all(keyed.show({*bpy.data.meshes, *bpy.data.curves}, depsgraph), depsgraph)
-    if state.missed:
-        texts.pop_up(f"{state.missed} frames were rendered with shapes as they were before: "
+    if ui_state.missed:
+        texts.pop_up(f"{ui_state.missed} frames were rendered with shapes as they were before: "
                      "switch Render > Lock Interface on and render again")
-        state.missed = 0
+        ui_state.missed = 0
 
 
 def _serve():
-    if state.nets:
+    if ui_state.nets:
         editing.show_in_local_views(bpy.context.window_manager)
-    return errands.serve(_come_back)
+    return main_thread.serve(_come_back)
 
 
 def _first_look():
@@ -232,20 +238,20 @@ def _follow_nets(changed):
     written, is_idle, is_draft = set(), _is_idle(), False
     for ob in editing.nets():
         if ob.mode == 'EDIT':
-            state.kept.discard(key(ob))
+            ui_state.kept.discard(key(ob))
             if ob.data in changed:
-                changed_now = live.pull(ob, Moment.TOLD if is_idle else Moment.BUSY)
+                changed_now = live.sync_from_cage(ob, Phase.TOLD if is_idle else Phase.BUSY)
                 written.add(changed_now)
                 is_draft = is_draft or changed_now is None and live.is_draft(ob)
                 if live.note(ob):
-                    timers.soon(editing.hand_over)
+                    timers.soon(editing.select_originals)
                 if live.is_waiting(ob):
                     _take_up_after(None if is_idle else ended_operators())
-        elif key(ob) not in state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
+        elif key(ob) not in ui_state.kept or not changed.isdisjoint(editing.blocks_of(ob)):
             timers.soon(editing.sweep)
     written.discard(None)
     if written or is_draft:
-        timers.later(editing.settle, _SETTLE)
+        timers.later(editing.finalize, _SETTLE)
     return written
 
 
@@ -257,19 +263,19 @@ def _is_alone(changed):
 def _is_idle():
     """Whether no operator is in the middle of something: one has ended since Blender told of a change or drew, or is
     repeated with other settings, which undo comes before."""
-    return bpy.app.background or state.was_undone or ended_operators() != state.seen
+    return bpy.app.background or ui_state.was_undone or ended_operators() != state.seen
 
 
 def _take_up_after(ended):
     """Let nets take up what waits when other operators have ended than these."""
-    state.awaited = ended
-    timers.soon(editing.take_up)
+    ui_state.awaited = ended
+    timers.soon(editing.adopt_rows)
 
 
 def _put_back_after_failure():
     """Blender 3.4 does not tell of a save that failed; in a window a timer of saving puts nets back, where there are
     none the next handler that is called."""
-    if state.suspended and bpy.app.background:
+    if ui_state.suspended and bpy.app.background:
         saving.put_back()
 
 
@@ -300,13 +306,13 @@ def _take_in_applied(depsgraph):
     objects = [block for block, update in updates
                if isinstance(block, bpy.types.Object) and update.is_updated_transform and block.data in changed
                and key(block.data) not in state.by_hand]
-    state.to_say += filter(None, [transforming.take_in_applied(ob, depsgraph) for ob in objects])
-    if state.to_say:
+    ui_state.to_say += filter(None, [transforming.take_in_applied(ob, depsgraph) for ob in objects])
+    if ui_state.to_say:
         timers.soon(_say)
 
 
 def _say():
-    sentences, state.to_say = state.to_say, []
+    sentences, ui_state.to_say = ui_state.to_say, []
     for sentence in sentences:
         texts.pop_up(sentence)
 
@@ -314,7 +320,7 @@ def _say():
 def _pull_all():
     for ob in editing.nets():
         if ob.mode == 'EDIT':
-            live.pull(ob, Moment.TOLD)
+            live.sync_from_cage(ob, Phase.TOLD)
             if live.note(ob):
                 timers.soon(editing.hand_over_now)
             if live.is_waiting(ob):
@@ -345,7 +351,7 @@ if versions.tells_of_failed_saves:
 def register():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).append(handler)
-    state.is_scanned = False            # a file is open already; bpy.data may be out of reach now
+    ui_state.is_scanned = False            # a file is open already; bpy.data may be out of reach now
     timers.soon(_first_look)
     if not bpy.app.background:
         bpy.app.timers.register(_serve, persistent=True)
@@ -356,6 +362,6 @@ def unregister():
     for name, handler in _HANDLERS.items():
         getattr(bpy.app.handlers, name).remove(handler)
     messages.take_back()
-    for function in (_first_look, _serve, _say, _finish_late, editing.sweep, editing.settle, editing.hand_over, editing.hand_over_now,
-                     editing.take_up, deviation_paint.settle, deviation_paint.redraw):
+    for function in (_first_look, _serve, _say, _finish_late, editing.sweep, editing.finalize, editing.select_originals, editing.hand_over_now,
+                     editing.adopt_rows, deviation_paint.rest, deviation_paint.redraw):
         timers.call_off(function)

@@ -1,8 +1,8 @@
 """The types of the handles of selected joints, and buttons that set them, while the net of a chain is edited."""
 
-from ..bridge import handles as kept_types
-from ..bridge.net import net_splines
-from ..core import handles
+from ..bridge.cage import net_splines
+from ..bridge.curve import handles as kept_types
+from ..core.net import handles
 from . import texts
 
 #: What Blender's operator calls a type, what its button says, and its icon.

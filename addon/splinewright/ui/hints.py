@@ -3,9 +3,10 @@ stay beside it."""
 
 import bpy
 
-from ..bridge import sights, versions
-from ..bridge.file_state import state
+from ..bridge.data import versions
+from ..bridge.data.settings import overlays_of
 from . import editing, keymaps, preferences, stopped, toolbar
+from .ui_state import ui_state
 
 _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
 _MODIFIERS = ('ctrl', 'shift', 'alt', 'oskey')
@@ -18,12 +19,12 @@ _owner = object()
 _WORDS_ON_STRIP = {"splinewright.insert_on_strip": "twice: Insert Knot", "splinewright.remove_on_strip": "Remove Knot"}
 
 
-def said(context):
+def shown_keys(context):
     """[(icons of keys, words)] for what is at hand; none while something else is going on."""
-    if not preferences.get().show_hints or state.status or _is_busy(context.window):
+    if not preferences.get().show_hints or ui_state.status or _is_busy(context.window):
         return []
-    if state.pointed_knot and sights.of(context.scene).strip:
-        return _on_strip(is_at_knot=state.pointed_knot.mark is not None)
+    if ui_state.pointed_knot and overlays_of(context.scene).strip:
+        return _on_strip(is_at_knot=ui_state.pointed_knot.mark is not None)
     tool = toolbar.active(context)
     keys = [(list(icons), words) for icons, words in tool.keys] if tool else []
     if not editing.nets_in_edit_mode(context):
@@ -48,7 +49,7 @@ def redraw(context):
     """Blender draws the status bar anew where its text is set."""
     for window in context.window_manager.windows:
         if not _is_busy(window):        # a gesture says what its keys do
-            window.workspace.status_text_set(state.status or None)
+            window.workspace.status_text_set(ui_state.status or None)
 
 
 def follow_tools():
@@ -61,8 +62,8 @@ def say_stopped():
     """Let the status bar be drawn anew where what stopped following is another; while a gesture is under way, later."""
     windows = list(bpy.context.window_manager.windows)
     wanted = tuple(stopped.in_status(window.view_layer) for window in windows)
-    if wanted != state.stopped and (any(wanted) or any(state.stopped)) and not any(map(_is_busy, windows)):
-        state.stopped = wanted
+    if wanted != ui_state.stopped and (any(wanted) or any(ui_state.stopped)) and not any(map(_is_busy, windows)):
+        ui_state.stopped = wanted
         redraw(bpy.context)
 
 
@@ -70,8 +71,8 @@ def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
     if versions.knows_modal_operators and window.modal_operators:
         return True
-    return any((state.is_pointing, state.drawn_stroke, state.contour, state.aimed, state.pulled, state.weighing, state.picking,
-                state.rounding, state.moved_knot, state.measured))
+    return any((ui_state.is_pointing, ui_state.drawn_stroke, ui_state.contour, ui_state.aimed, ui_state.pulled, ui_state.weighing, ui_state.picking,
+                ui_state.rounding, ui_state.moved_knot, ui_state.measured))
 
 
 def _icons(item):
@@ -86,7 +87,7 @@ def _draw(self, context):
     problem = stopped.in_status(context.view_layer)
     if problem:
         self.layout.label(text=problem, icon='ERROR')
-    for icons, words in said(context):
+    for icons, words in shown_keys(context):
         row = self.layout.row(align=True)
         for icon in icons[:-1]:
             row.label(text="", icon=icon)

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge import parameters, recipes
+from ..bridge.recipes import parameters, recipes
 from ..core.recipes.table import RECIPES
 
 #: Rows that are shown at least, and at most.

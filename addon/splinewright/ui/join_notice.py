@@ -6,9 +6,10 @@ Blender tells no add-on of a join before it is done: what was selected at the la
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import shape
-from ..bridge.file_state import ended_operators, state
+from ..bridge.data.file_state import ended_operators
+from ..bridge.shape import shape
 from . import texts
+from .ui_state import ui_state
 
 _WIDTH = 60
 _WORDS = ("Blender's Join made plain faces or points of them. Undo brings the definitions back; Ctrl+J, or NURBS > "
@@ -21,18 +22,18 @@ def updated(scene, depsgraph):
     if bpy.app.background or bpy.context.mode != 'OBJECT' or not depsgraph.id_type_updated('SCENE'):
         return
     if _is_new_join():
-        lost = sorted(name for name in state.selected_shapes if name not in bpy.data.objects)
+        lost = sorted(name for name in ui_state.selected_shapes if name not in bpy.data.objects)
         if lost:
             bpy.app.timers.register(lambda: _say(lost), first_interval=0.0)
-    state.selected_shapes = {ob.name for ob in bpy.context.view_layer.objects.selected if shape.has_shape(ob)}
+    ui_state.selected_shapes = {ob.name for ob in bpy.context.view_layer.objects.selected if shape.has_shape(ob)}
 
 
 def _is_new_join():
     """Undo and redo leave the last one among what was done."""
     ended = ended_operators()
-    if not ended or bpy.context.window_manager.operators[-1].bl_idname != 'OBJECT_OT_join' or ended == state.last_join:
+    if not ended or bpy.context.window_manager.operators[-1].bl_idname != 'OBJECT_OT_join' or ended == ui_state.last_join:
         return False
-    state.last_join = ended
+    ui_state.last_join = ended
     return True
 
 

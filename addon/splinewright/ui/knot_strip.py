@@ -4,10 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..bridge import settings, shape, sights
-from ..bridge.file_state import state
-from ..core import knot_strip
-from . import editing, hand
+from ..bridge.analysis import overlays
+from ..bridge.data import settings
+from ..bridge.data.settings import overlays_of
+from ..bridge.shape import shape
+from ..core.verbs import knot_strip
+from . import active_shape, editing
+from .ui_state import ui_state
 
 #: In pixels of an interface that is not scaled: of a bar, with its texts, how high it is and how far its middle lies
 #: above its lower end; what is kept free beside it, and below; and how far the ends of the bar lie inside.
@@ -40,7 +43,7 @@ class Shown(NamedTuple):
     ob: object                          # the shape
     number: int                         # of its piece, counted from 1
     count: int                          # of its pieces
-    bars: tuple                         # core.knot_strip.Bars
+    bars: tuple                         # core.verbs.knot_strip.Bars
     spans: tuple                        # from which parameter to which each reaches
     boxes: tuple
     scale: float                        # of the interface
@@ -106,7 +109,7 @@ class Pointed(NamedTuple):
 def is_on(context):
     """Whether the strip is wanted in the 3D view at hand: where that shows no gizmos, the mouse does not reach it."""
     space = context.space_data
-    if space is None or space.type != 'VIEW_3D' or not sights.of(context.scene).strip:
+    if space is None or space.type != 'VIEW_3D' or not overlays_of(context.scene).strip:
         return False
     return space.overlay.show_overlays and space.show_gizmo
 
@@ -117,7 +120,7 @@ def shown(context):
     if found is None:
         return None
     ob, (bars, number, count) = found
-    moved = state.moved_knot
+    moved = ui_state.moved_knot
     spans = moved.spans if moved and moved.data == ob.data.name else tuple(bar.span for bar in bars)
     scale = context.preferences.system.ui_scale
     boxes = _boxes(context, len(bars), scale)
@@ -145,7 +148,7 @@ def pointed(region, hit):
 
 def pointed_at(found, region):
     """The Hit at the mouse, of what is Shown in a region; None where it is elsewhere, or that is gone."""
-    pointed = state.pointed_knot
+    pointed = ui_state.pointed_knot
     if pointed is None or pointed[:2] != (region.as_pointer(), found.ob.data.name) or pointed.axis >= len(found.bars):
         return None
     values = found.bars[pointed.axis].values
@@ -158,13 +161,13 @@ def _in_hand(context):
     ob, net = context.object, None
     if context.mode != 'OBJECT':
         net = ob if ob in editing.nets_in_edit_mode(context) else None
-    owner = hand.shape_of(ob) if net else ob
+    owner = active_shape.shape_of(ob) if net else ob
     if not shape.has_shape(owner) or context.mode != 'OBJECT' and net is None:
         return None
     if not owner.visible_get(viewport=context.space_data) or net is None and not owner.select_get():
         return None
     number = _number(owner.data, net)
-    bars = sights.kept(owner.data, 'strip', (number,), sights.bars_of)
+    bars = overlays.kept(owner.data, 'strip', (number,), overlays.bars_of)
     return (owner, bars) if bars else None
 
 
@@ -172,7 +175,7 @@ def _number(data, net):
     """Of the piece in hand; what points of a net say of it is kept until that changes."""
     if net is None:
         return settings.of(data).piece
-    return sights.kept(net.data, 'active piece', (settings.of(data).piece,), lambda *_: hand.chosen(data, net)) or 0
+    return overlays.kept(net.data, 'active piece', (settings.of(data).piece,), lambda *_: active_shape.chosen(data, net)) or 0
 
 
 def _boxes(context, count, scale):

@@ -8,10 +8,11 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import sights
-from ..bridge.file_state import state
-from ..core import knot_strip
-from . import colors, hints, knot_strip as strip
+from ..bridge.analysis import overlays
+from ..core.verbs import knot_strip
+from . import knot_strip as strip
+from . import colors, hints
+from .ui_state import ui_state
 
 #: In pixels of an interface that is not scaled.
 _SIZE, _GAP, _EDGE, _TEXT_ABOVE, _TEXT_BELOW = 11.0, 8.0, 3.0, 9.5, -17.0
@@ -45,17 +46,17 @@ def draw():
     context = bpy.context
     found = strip.shown(context)
     if found is None:
-        if state.pointed_knot and state.pointed_knot.region == context.region.as_pointer():
-            state.pointed_knot = None   # the strip went away below the mouse
+        if ui_state.pointed_knot and ui_state.pointed_knot.region == context.region.as_pointer():
+            ui_state.pointed_knot = None   # the strip went away below the mouse
             hints.redraw(context)
         return
     looks = found.boxes, found.spans, found.scale, colors.of_net(), _moved(found)
-    picture = sights.kept(found.ob.data, ('strip picture', context.region.as_pointer()), (found.number, *looks),
+    picture = overlays.kept(found.ob.data, ('strip picture', context.region.as_pointer()), (found.number, *looks),
                           lambda *_: _picture(found, *looks[3:]))
     if picture is not None:
         _draw(picture, found.scale)
     hit = strip.pointed_at(found, context.region)
-    if hit is not None and state.moved_knot is None:
+    if hit is not None and ui_state.moved_knot is None:
         _draw_at_mouse(hit)
 
 
@@ -92,7 +93,7 @@ def top(context):
 
 def _moved(found):
     """(axis, mark) of the knot of a shape that is being moved, or None."""
-    moved = state.moved_knot
+    moved = ui_state.moved_knot
     return (moved.axis, moved.mark) if moved and moved.data == found.ob.data.name else None
 
 

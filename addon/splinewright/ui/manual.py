@@ -30,7 +30,7 @@ class SPLINEWRIGHT_OT_manual(bpy.types.Operator):
             return reports.cancelled(self, f"there is no page {path}: install the Splinewright zip again")
         if not webbrowser.open(address_of(self.page)):
             return reports.cancelled(self, f"no browser was found: the manual is {path}")
-        return reports.finished(self, reports.Said(f"The manual is {path}"))
+        return reports.finished(self, reports.Report(f"The manual is {path}"))
 
 
 def address_of(page):

@@ -7,9 +7,9 @@ import gpu
 import numpy as np
 from mathutils import Matrix
 
-from ..bridge.file_state import state
-from ..core import measured
-from . import colors, messages, mouse_words, picking, strokes
+from ..core.analysis import measured
+from . import colors, line_batches, messages, mouse_words, picking
+from .ui_state import ui_state
 
 #: Of an arm, in pixels of an interface that is not scaled.
 _ARM = 70
@@ -29,14 +29,14 @@ class Measured(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    if state.measured is not None:
-        _show_arms(state.measured)
+    if ui_state.measured is not None:
+        _show_arms(ui_state.measured)
 
 
 def draw_words():
     """Called by Blender for each 3D view."""
-    if state.measured is not None:
-        _show_words(state.measured)
+    if ui_state.measured is not None:
+        _show_words(ui_state.measured)
 
 
 def show_all(shown):
@@ -56,9 +56,9 @@ def _show_arms(shown):
     point, arms, _ = shown.place
     pixel = picking.size_of_pixel(bpy.context.region, bpy.context.region_data, point)
     reach = _ARM * bpy.context.preferences.system.ui_scale * pixel
-    strokes.draw([*(strokes.lines(np.array([[point, point + reach * arm]]), lambda color=color: color, 2.5)
+    line_batches.draw([*(line_batches.lines(np.array([[point, point + reach * arm]]), lambda color=color: color, 2.5)
                     for arm, color in zip(arms, colors.FRAME)),
-                  strokes.points(point[None], lambda: _COLOR, lambda: 10)])
+                  line_batches.points(point[None], lambda: _COLOR, lambda: 10)])
 
 
 def _show_words(shown):

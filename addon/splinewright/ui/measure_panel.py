@@ -4,11 +4,13 @@ patches, in the sidebar."""
 import bpy
 import numpy as np
 
-from ..bridge import store, surveys
-from ..bridge.net import net_object
-from ..core import decimals, measured
-from ..core.failures import FAILURES, sentence
-from . import hand, texts
+from ..bridge.analysis import surveys
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..core.analysis import measured
+from ..core.base import decimals
+from ..core.base.failures import FAILURES, sentence
+from . import active_shape, texts
 from .sub_panel import ClosedPanel
 
 #: While a net is edited shapes of more points are measured when it is left.
@@ -21,10 +23,10 @@ _SOON, _SOON_WHILE_EDITED = 0.1, 0.02
 class _Measuring(ClosedPanel):
     @classmethod
     def poll(cls, context):
-        return hand.shape_of(context.object) is not None
+        return active_shape.shape_of(context.object) is not None
 
     def draw(self, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         try:
             definition = store.read(ob.data)
             is_edited = net_object.is_net(context.object)

@@ -5,19 +5,19 @@ Where a menu belongs in Blender says menus.py, too. For each kind of object an o
 
 from typing import NamedTuple
 
-from . import kinds
-from .operators.show_sights import SIGHTS
+from . import object_kinds
+from .operators.show_overlays import SIGHTS
 from .tool_table import TOOLS
 
 CURVE, PATCH, NATIVE, BAKED = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked'))
-SHAPES, FOLLOWED = kinds.SHAPES, kinds.FOLLOWED
+SHAPES, FOLLOWED = object_kinds.SHAPES, object_kinds.FOLLOWED
 CURVES, SURFACES = CURVE | NATIVE, PATCH | NATIVE
 #: Whatever is selected.
 ANY = None
 
 
 class Entry(NamedTuple):
-    """An operator. concerns: the kinds of objects, of ui.kinds; changes: whether it changes what shapes are, so that it is gray
+    """An operator. concerns: the kinds of objects, of ui.object_kinds; changes: whether it changes what shapes are, so that it is gray
     where that is not to be changed; text: what it says, if that is not the operator's own; settings: pairs of names and values."""
 
     operator: str
@@ -82,7 +82,7 @@ PIECES = Menu('pieces', "Join", (
     *_others(SHAPES, 'join'), *_verbs(CURVE, 'join_ends', 'join_pieces', 'join_curves'), *_verbs(PATCH, 'join_patches'), None,
     *_others(SHAPES, 'separate_pieces', 'delete_pieces', 'explode')), 'AUTOMERGE_ON')
 CONVERT = Menu('convert', "Convert", (
-    *_others(kinds.INEXACT, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
+    *_others(object_kinds.INEXACT, 'make_exact'), *_others(SHAPES, 'to_native'), None, *_verbs(SHAPES, 'to_nurbs', 'to_bezier', 'to_hermite')),
     'FILE_REFRESH')
 
 FROM_OBJECTS = Menu('curve_from_objects', "Curve from Objects", (

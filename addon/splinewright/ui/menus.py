@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..bridge import read_polygons
-from . import editing, hand, kinds, menu_table, offered
+from ..bridge.shape import read_polygons
+from . import active_shape, editing, menu_table, object_kinds, offered
 
 
 def _draw_menu(layout, menu, context):
@@ -25,7 +25,7 @@ def _draw_entry(layout, entry, context):
         layout.menu(entry.idname, icon=entry.icon)
         return
     row = layout.row()
-    row.enabled = not offered.is_gray(entry, hand.shapes(context))
+    row.enabled = not offered.is_gray(entry, active_shape.shapes(context))
     button = row.operator(f"splinewright.{entry.operator}", text=entry.text or offered.text_of(entry.operator), icon=entry.icon)
     for name, value in entry.settings:
         setattr(button, name, value)
@@ -39,7 +39,7 @@ def _is_shown(entry, context):
         return True
     if nets and not offered.works_on_nets(entry.operator):
         return False
-    found = set(map(kinds.of, hand.shapes(context))) if nets else kinds.selected(context)
+    found = set(map(object_kinds.of, active_shape.shapes(context))) if nets else object_kinds.selected(context)
     return not found or bool(entry.concerns & found)
 
 
@@ -96,30 +96,30 @@ def _draw_export(self, context):
 
 
 def _draw_apply(self, context):
-    if kinds.selected(context) & kinds.SHAPES:
+    if object_kinds.selected(context) & object_kinds.SHAPES:
         self.layout.separator()
         self.layout.operator("splinewright.apply_transform", text="Transform of NURBS")
 
 
 def _draw_convert(self, context):
-    found = kinds.selected(context)
+    found = object_kinds.selected(context)
     if found:
         self.layout.separator()
-    if kinds.INEXACT & found:
+    if object_kinds.INEXACT & found:
         self.layout.operator("splinewright.make_exact", text="NURBS Shape (Exact)")
     if any(map(read_polygons.is_mesh, context.selected_objects)):
         self.layout.operator("splinewright.add_of_mesh", text="NURBS from Mesh")
-    if found & kinds.SHAPES:
+    if found & object_kinds.SHAPES:
         self.layout.operator("splinewright.to_native", text="Blender Curve/Surface from NURBS")
 
 
 def _draw_object_header(self, context):
-    if context.mode == 'OBJECT' and kinds.selected(context):
+    if context.mode == 'OBJECT' and object_kinds.selected(context):
         self.layout.menu(menu_table.OBJECT.idname)
 
 
 def _draw_object_context(self, context):
-    if kinds.selected(context):
+    if object_kinds.selected(context):
         self.layout.separator()
         draw_link(self.layout, menu_table.OBJECT)
 

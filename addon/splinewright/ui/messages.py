@@ -5,10 +5,13 @@ import blf
 import gpu
 from gpu_extras.batch import batch_for_shader
 
-from ..bridge import problems, shape
-from ..bridge.file_state import ended_operators, state
-from ..bridge.net import live, net_object
+from ..bridge.cage import net_object
+from ..bridge.data import problems
+from ..bridge.data.file_state import ended_operators, state
+from ..bridge.net import live
+from ..bridge.shape import shape
 from . import colors, editing, knot_strip_overlay
+from .ui_state import ui_state
 
 #: What is in the way, and what is good to know.
 WARNING, NOTE = colors.WARNING, (0.9, 0.9, 0.9, 1.0)
@@ -17,10 +20,10 @@ _BEHIND = (0.0, 0.0, 0.0, 0.7)
 _SIZE, _LINE, _MARGIN = 13, 19, 12
 
 
-def said(layer):
+def sentence(layer):
     """[(sentence, color)] for a view layer."""
     found = []
-    for ob in editing.nets() if state.nets else ():
+    for ob in editing.nets() if ui_state.nets else ():
         if ob.visible_get(view_layer=layer) or layer.objects.get(ob.name) == ob:     # to look for a name takes long
             found += _of_edited(ob) if ob.mode == 'EDIT' else _of_kept(ob)
     return found + list(_of_result(layer.objects.active))
@@ -62,25 +65,25 @@ def undo_key():
 def refresh():
     """Say in the status bar what is in the way; draw() says it in the views."""
     windows = bpy.context.window_manager.windows
-    texts = ["   ".join(text for text, color in said(window.view_layer) if color == WARNING) for window in windows]
-    if any(texts) or state.status:      # what others wrote there meanwhile is gone either way
+    texts = ["   ".join(text for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
+    if any(texts) or ui_state.status:      # what others wrote there meanwhile is gone either way
         for window, text in zip(windows, texts):
             window.workspace.status_text_set(text or None)
-    state.status = next(filter(None, texts), "")
+    ui_state.status = next(filter(None, texts), "")
 
 
 def take_back():
     """Nothing is said in the status bar any more."""
-    if state.status:
+    if ui_state.status:
         for window in bpy.context.window_manager.windows:
             window.workspace.status_text_set(None)
-    state.status = ""
+    ui_state.status = ""
 
 
 def draw():
     """Called by Blender for each 3D view."""
-    state.seen, state.was_undone = ended_operators(), False
-    lines = [(line, color) for sentence, color in said(bpy.context.view_layer) for line in _wrapped(sentence)]
+    state.seen, ui_state.was_undone = ended_operators(), False
+    lines = [(line, color) for sentence, color in sentence(bpy.context.view_layer) for line in _wrapped(sentence)]
     if not lines:
         return
     scale, (left, right) = _scale(), free_space()

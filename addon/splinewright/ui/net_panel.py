@@ -2,10 +2,13 @@
 
 import bpy
 
-from ..bridge import recipes, sights, store
-from ..bridge.net import live, net_object
-from ..core import describe
-from . import hand, handles_panel, net_props, texts
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.data.settings import overlays_of
+from ..bridge.net import live
+from ..bridge.recipes import recipes
+from ..core.shape import describe
+from . import active_shape, handles_panel, net_props, texts
 from .sub_panel import SidePanel
 
 #: Pieces whose knots are shown at once.
@@ -22,16 +25,16 @@ class SPLINEWRIGHT_PT_points(SidePanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         ob = context.object
-        return net_object.is_net(ob) and ob.mode == 'EDIT' and hand.shape_of(ob) is not None and live.known_session(ob.data) is not None
+        return net_object.is_net(ob) and ob.mode == 'EDIT' and active_shape.shape_of(ob) is not None and live.known_session(ob.data) is not None
 
     def draw(self, context):
-        ob, owner, layout = context.object, hand.shape_of(context.object), self.layout
+        ob, owner, layout = context.object, active_shape.shape_of(context.object), self.layout
         session, has_recipe = live.known_session(ob.data), recipes.has(owner.data)
         _draw_points(layout, ob, session, has_weights=not has_recipe)
         try:
             handles_panel.draw(layout, ob.data, owner.data, session, net_props.chosen(ob.data)[1])
             if not has_recipe:
-                _draw_knots(layout, store.read(owner.data), hand.pieces_of_points(ob))
+                _draw_knots(layout, store.read(owner.data), active_shape.pieces_of_points(ob))
         except store.UnreadableDefinition as error:
             texts.draw_problem(layout, str(error))
 
@@ -44,7 +47,7 @@ def draw_state(layout, ob):
         return
     if ob.mode == 'EDIT':
         layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
-        layout.prop(sights.of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
+        layout.prop(overlays_of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
     else:
         layout.operator("splinewright.edit_net", text=f"Continue with {texts.short(owner.name)}", icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)

@@ -6,10 +6,10 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, FloatProperty, FloatVectorProperty, PointerProperty
 
-from ..bridge.file_state import look_again
+from ..bridge.data.file_state import look_again
 from ..bridge.net import live, selection, weighing
-from ..core import decimals
-from ..core.failures import Refusal
+from ..core.base import decimals
+from ..core.base.failures import Refusal
 from . import editing
 
 #: Points whose numbers are shown at once: Blender's vectors hold 32 numbers.
@@ -34,7 +34,7 @@ def _chosen_now(data):
     ob = net_of(data)
     if ob:
         look_again(data)
-        live.pull(ob)
+        live.sync_from_cage(ob)
     return chosen(data)
 
 

@@ -7,9 +7,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape, surveys
-from ..bridge.file_state import state
-from . import hand, picking, strokes
+from ..bridge.analysis import surveys
+from ..bridge.shape import shape
+from . import active_shape, line_batches, picking
+from .ui_state import ui_state
 
 #: Of other pieces, of those in hand, of the one at the mouse.
 COLORS = ((1.0, 1.0, 1.0, 1.0), (1.0, 0.75, 0.2, 1.0), (0.35, 1.0, 0.5, 1.0))
@@ -37,16 +38,16 @@ class Numbered(NamedTuple):
 
 def shown(context):
     """The Numbered objects."""
-    if state.picking:
-        found = state.picking
+    if ui_state.picking:
+        found = ui_state.picking
     else:
-        owner = hand.shape_of(context.object)
-        is_shown = owner is not None and (state.asking or owner.data.splinewright.show_numbers)
-        found = {**({owner.name: hand.counted(owner.data)} if is_shown else {}), **_asked(context)}
+        owner = active_shape.shape_of(context.object)
+        is_shown = owner is not None and (ui_state.asking or owner.data.splinewright.show_numbers)
+        found = {**({owner.name: active_shape.counted(owner.data)} if is_shown else {}), **_asked(context)}
     obs = {name: context.view_layer.objects.get(name) for name in found}
-    marked = _settings(context) if found is state.picking or _asked(context) else None
-    return [Numbered(ob, found[name], hand.of(ob.data) if marked is None else marked) for name, ob in obs.items()
-            if shape.has_shape(ob) and ob.visible_get() and len(found[name]) == hand.count_of(ob.data)]
+    marked = _settings(context) if found is ui_state.picking or _asked(context) else None
+    return [Numbered(ob, found[name], active_shape.of(ob.data) if marked is None else marked) for name, ob in obs.items()
+            if shape.has_shape(ob) and ob.visible_get() and len(found[name]) == active_shape.count_of(ob.data)]
 
 
 def _asked(context):
@@ -54,7 +55,7 @@ def _asked(context):
     operator, found = context.active_operator, {}
     if operator is None or not _is_open(context.area):
         return {}
-    for numbers in hand.asked(operator).values():
+    for numbers in active_shape.asked(operator).values():
         for name, those in numbers.items():
             found[name] = tuple(one or other for one, other in zip(found.get(name, those), those))
     return found
@@ -63,7 +64,7 @@ def _asked(context):
 def _settings(context):
     """The numbers that the last operator was given."""
     operator = context.active_operator
-    return tuple(getattr(operator.properties, setting) for setting in hand.asked(operator)) if operator else ()
+    return tuple(getattr(operator.properties, setting) for setting in active_shape.asked(operator)) if operator else ()
 
 
 def _is_open(area):
@@ -74,10 +75,10 @@ def _is_open(area):
 
 def draw_outline():
     """Called by Blender for each 3D view: the lines around the piece at the mouse, and sides that are picked."""
-    if state.hovered:
-        name, number = state.hovered
+    if ui_state.hovered:
+        name, number = ui_state.hovered
         _draw_lines(name, lambda data: surveys.outlines_of(data)[number - 1])
-    show_sides(state.sides)
+    show_sides(ui_state.sides)
 
 
 def show_sides(sides):
@@ -93,7 +94,7 @@ def _draw_lines(name, lines_of):
         return
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(strokes.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0) for line in lines_of(ob.data))
+        line_batches.draw(line_batches.lines(np.stack([line[:-1], line[1:]], 1), lambda: COLORS[2], 3.0) for line in lines_of(ob.data))
 
 
 def draw():
@@ -117,7 +118,7 @@ def _draw_numbers(context, numbered, points):
         number, (x, y) = numbered.numbers[i], pixels[i]
         if not (number and 0 <= x < region.width and 0 <= y < region.height):
             continue
-        is_hovered = state.hovered == (ob.name, i + 1)
+        is_hovered = ui_state.hovered == (ob.name, i + 1)
         color = COLORS[2 if is_hovered else number in numbered.marked]
         blf.size(0, (1.5 if is_hovered else 1.0) * _SIZE * scale)
         blf.color(0, *color[:3], HIDDEN if hidden[i] and not is_hovered else 1.0)

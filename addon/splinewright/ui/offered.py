@@ -2,8 +2,11 @@
 
 import bpy
 
-from ..bridge import recipes, shape, store, surveys
-from . import hand, kinds
+from ..bridge.analysis import surveys
+from ..bridge.data import store
+from ..bridge.recipes import recipes
+from ..bridge.shape import shape
+from . import active_shape, object_kinds
 
 #: With two shapes selected they take a piece of each.
 _JOINS = {'join_ends', 'join_patches'}
@@ -25,7 +28,7 @@ _REFUSING = {
     'make_editable': lambda data: not recipes.has(data), 'edit_source': lambda data: not recipes.follows(data),
     'adopt_transform': lambda data: not shape.seems_touched(data),
     'apply_transform': why_not, 'set_knots': why_not,
-    **dict.fromkeys(('separate_pieces', 'delete_pieces', 'explode'), lambda data: why_not(data) or hand.count_of(data) < 2),
+    **dict.fromkeys(('separate_pieces', 'delete_pieces', 'explode'), lambda data: why_not(data) or active_shape.count_of(data) < 2),
     **dict.fromkeys(('edit_net', 'to_native', 'bake_animation'), shape.seems_touched)}
 
 
@@ -33,7 +36,7 @@ def is_gray(entry, obs):
     """Whether every shape among objects that an entry of ui.menu_table concerns would refuse it."""
     if not (entry.changes or entry.operator in _REFUSING):
         return False
-    shapes = [ob for ob in obs if kinds.of(ob) in entry.concerns & kinds.SHAPES]
+    shapes = [ob for ob in obs if object_kinds.of(ob) in entry.concerns & object_kinds.SHAPES]
     return bool(shapes) and all(_refuses(ob.data, entry.operator, len(shapes)) for ob in shapes)
 
 

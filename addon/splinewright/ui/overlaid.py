@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..bridge.file_state import state
+from ..bridge.data.file_state import state
 
 
 def kept(what, ob, make):

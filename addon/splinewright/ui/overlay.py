@@ -6,9 +6,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge.file_state import key, state
+from ..bridge.data.file_state import key, state
 from ..bridge.net import live, selection
-from . import colors, editing, strokes
+from . import colors, editing, line_batches
+from .ui_state import ui_state
 
 
 def draw_lines():
@@ -26,7 +27,7 @@ def draw_points():
 
 
 def _nets_seen():
-    if not state.nets or not bpy.context.space_data.overlay.show_overlays:
+    if not ui_state.nets or not bpy.context.space_data.overlay.show_overlays:
         return []
     return [ob for ob in editing.nets() if ob.mode == 'EDIT' and ob.visible_get()]
 
@@ -52,20 +53,20 @@ def _prepared(ob):
 
 def _draw_net(ob, prepared):
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-    with gpu.matrix.push_pop(), strokes.nearer():
+    with gpu.matrix.push_pop(), line_batches.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(prepared)
+        line_batches.draw(prepared)
     gpu.state.depth_test_set('NONE')
 
 
 def _strokes(ob, current):
     """Those of a Prepared; what lies above others comes last."""
     net, points = current.net, current.points
-    rows = [strokes.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
+    rows = [line_batches.lines(points[pairs], lambda axis=axis: colors.of_net()[axis], 1.5)
             for axis, pairs in enumerate(net.lines)]
-    marked = strokes.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],
+    marked = line_batches.points(points[(current.state.weights < 0) & net.are_points & (current.slots >= 0)],
                             lambda: colors.WARNING, lambda: _theme().vertex_size + 9)
-    arrows = strokes.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)
+    arrows = line_batches.arrows([(points[foot], points[head]) for foot, head in net.arrows], colors.of_arrows)
     edges, vertices = _of_selection(ob, current)
     return [*rows, *edges], [marked, arrows], vertices
 
@@ -77,13 +78,13 @@ def _of_selection(ob, current):
     selected[selection.every_selected(ob, net)] = True
     edges = []
     if ob.type == 'MESH':
-        edges = [strokes.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
+        edges = [line_batches.lines(points[pairs[selected[pairs].all(1)]], lambda: (*_theme().edge_select, 1.0), 2.0)
                  for pairs in net.lines]
     else:
         are_there = are_there & net.are_points          # handles have colors of their own
     return edges, [
-        strokes.points(points[are_there & ~selected], colors.of_points, lambda: _theme().vertex_size + 2),
-        strokes.points(points[are_there & selected], lambda: (*_theme().vertex_select, 1.0),
+        line_batches.points(points[are_there & ~selected], colors.of_points, lambda: _theme().vertex_size + 2),
+        line_batches.points(points[are_there & selected], lambda: (*_theme().vertex_select, 1.0),
                        lambda: _theme().vertex_size + 3)]
 
 

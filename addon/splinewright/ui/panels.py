@@ -2,8 +2,12 @@
 
 import bpy
 
-from ..bridge import baking, recipes, shape, store, surveys
-from ..bridge.net import net_object
+from ..bridge.analysis import surveys
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.edit import baking
+from ..bridge.recipes import recipes
+from ..bridge.shape import shape
 from . import construction_panel, manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
 from .sub_panel import SidePanel

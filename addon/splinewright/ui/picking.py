@@ -7,9 +7,11 @@ import numpy as np
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ..bridge import mesh_layers, mesh_looks, store, surveys
+from ..bridge.analysis import surveys
+from ..bridge.data import store
+from ..bridge.mesh import mesh_layers, mesh_looks
 from ..bridge.net import live
-from ..core import aiming
+from ..core.verbs import parameter_picking
 
 #: How near to a curve or a number the mouse must be, in pixels.
 _NEAR = 18.0
@@ -175,7 +177,7 @@ def parameters_at(region, view, pixel, obs, depsgraph):
         if nearest.fractions is None:
             return None
         piece = surveys.pieces_of(nearest.ob.data)[nearest.number - 1]
-        return nearest.ob, nearest.number, aiming.of_domain(piece, nearest.fractions)
+        return nearest.ob, nearest.number, parameter_picking.of_domain(piece, nearest.fractions)
     found = [one for ob in obs if ob.type == 'CURVE' for one in _on_curves(region, view, pixel, ob)]
     nearest = min(found, key=lambda one: one[0], default=(np.inf,))
     return nearest[1:] if nearest[0] <= near() else None

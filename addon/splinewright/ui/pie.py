@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import editing, hand, menu_table, offered
+from . import active_shape, editing, menu_table, offered
 
 #: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
 _CURVE = ("insert_here", "weight_here", "leave_net", "radius_here", "tilt_here", "make_periodic", "point_to_infinity",
@@ -21,7 +21,7 @@ class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
         names = _CURVE if isinstance(context.object.data, bpy.types.Curve) else _PATCH
         for name in names:
             row = pie.row()
-            row.enabled = not offered.is_gray(menu_table.entry_of(name), hand.shapes(context))
+            row.enabled = not offered.is_gray(menu_table.entry_of(name), active_shape.shapes(context))
             row.operator(f"splinewright.{name}", text=offered.text_of(name), icon=_ICONS.get(name, 'NONE'))
 
 

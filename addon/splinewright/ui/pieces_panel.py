@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import hand
+from . import active_shape
 from .sub_panel import SubPanel
 
 
@@ -12,11 +12,11 @@ class SPLINEWRIGHT_PT_pieces(SubPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        ob = hand.shape_of(context.object)
-        return ob is not None and hand.count_of(ob.data) > 1
+        ob = active_shape.shape_of(context.object)
+        return ob is not None and active_shape.count_of(ob.data) > 1
 
     def draw(self, context):
-        chosen = hand.shape_of(context.object).data.splinewright
+        chosen = active_shape.shape_of(context.object).data.splinewright
         self.layout.prop(chosen, "show_numbers")
         column = self.layout.column(align=True)
         for name, is_other in (("piece", False), ("other_piece", True)):

@@ -3,10 +3,12 @@
 import bpy
 import numpy as np
 
-from ..bridge import point_keying, point_keys, store
-from ..bridge.net import live, net_object, selection
-from ..core import keyed_rows
-from . import hand, net_panel, texts
+from ..bridge.cage import net_object
+from ..bridge.data import store
+from ..bridge.keys import point_keys
+from ..bridge.net import live, point_keying, selection
+from ..core.shape import keyed_rows
+from . import active_shape, net_panel, texts
 from .sub_panel import SubPanel
 
 #: Points that are shown at once.
@@ -19,11 +21,11 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        owner = hand.shape_of(context.object)
-        return owner is not None and hand.is_free(owner)
+        owner = active_shape.shape_of(context.object)
+        return owner is not None and active_shape.is_free(owner)
 
     def draw(self, context):
-        data = hand.shape_of(context.object).data
+        data = active_shape.shape_of(context.object).data
         column = self.layout.column(align=True)
         column.operator("splinewright.key_points", icon='KEY_HLT')
         column.operator("splinewright.clear_point_keys", icon='KEY_DEHLT')

@@ -3,8 +3,10 @@
 import bpy
 from bpy.props import CollectionProperty, FloatProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import point_keying, point_keys, problems, store
-from ..core.failures import FAILURES, sentence
+from ..bridge.data import problems, store
+from ..bridge.keys import point_keys
+from ..bridge.net import point_keying
+from ..core.base.failures import FAILURES, sentence
 
 #: Types of data-blocks that can hold a shape.
 _OWNERS = (bpy.types.Mesh, bpy.types.Curve)
@@ -18,9 +20,9 @@ def _changed(self, context):
         return
     try:
         point_keying.put(data, self.row, self.place, self.weight)
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         try:
             point_keys.show(data, store.pool(data))
         except store.UnreadableDefinition:

@@ -4,10 +4,10 @@ import bpy
 import rna_keymap_ui
 from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
-from ..bridge import settings
-from ..bridge.file_state import state
-from ..core import library
+from ..bridge.data import settings
+from ..core.base import library
 from . import addresses, keymaps, manual, texts
+from .ui_state import ui_state
 
 _NAME = __package__.rpartition('.')[0]
 
@@ -36,7 +36,7 @@ def _steps(name, of_what):
 def _redraw_status_bar(_self, context):
     """Blender does it where the text is set."""
     for window in context.window_manager.windows:
-        window.workspace.status_text_set(state.status or None)
+        window.workspace.status_text_set(ui_state.status or None)
 
 
 class SplinewrightPreferences(bpy.types.AddonPreferences):

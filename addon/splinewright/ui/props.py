@@ -3,10 +3,13 @@
 import bpy
 from bpy.props import PointerProperty
 
-from ..bridge import follow, late, problems, settings, shape, store
-from ..bridge.file_state import state
+from ..bridge.data import problems, settings, store
+from ..bridge.data.file_state import state
+from ..bridge.follow import follow
 from ..bridge.net import live
-from ..core.failures import FAILURES, sentence
+from ..bridge.recipes import late
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES, sentence
 from . import progress
 
 #: Types of data-blocks that can hold a shape.
@@ -32,7 +35,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
             if face_count(data) != before:
                 self.faces_before = before
         except FAILURES as error:
-            problems.tell(data, problems.SETTING, sentence(error))
+            problems.set_problem(data, problems.SETTING, sentence(error))
         live.note_settings(data)
 
     def when_changed(self, context):
@@ -62,7 +65,7 @@ class SplinewrightShape(settings.Settings, bpy.types.PropertyGroup):
     @value.setter
     def value(self, value):
         shape.set_value(self.id_data, value)
-        problems.tell(self.id_data, problems.SETTING, "; ".join(state.lost_keys))
+        problems.set_problem(self.id_data, problems.SETTING, "; ".join(state.lost_keys))
         state.lost_keys.clear()
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..core import typed_number
+from ..core.base import typed_number
 
 _AXES = ('X', 'Y', 'Z')
 #: An axis that is seen from its end to this part follows what the mouse says in the plane of the view.

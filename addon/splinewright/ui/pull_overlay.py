@@ -6,9 +6,9 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import shape
-from ..bridge.file_state import state
-from . import strokes
+from ..bridge.shape import shape
+from . import line_batches
+from .ui_state import ui_state
 
 _COLOR = (0.35, 1.0, 0.5, 1.0)
 #: Control points are drawn in so many steps of brightness.
@@ -28,22 +28,22 @@ class Pull(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    pull = state.pulled
+    pull = ui_state.pulled
     ob = bpy.context.view_layer.objects.get(pull.name) if pull else None
     if not shape.has_shape(ob):
         return
     with gpu.matrix.push_pop():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(_strokes(pull))
+        line_batches.draw(_strokes(pull))
 
 
 def _strokes(pull):
     steps = np.ceil(pull.parts * _STEPS)
     for step in np.unique(steps).tolist():
         color = (*_COLOR[:3], step / _STEPS)
-        yield strokes.points(pull.followers[steps == step], lambda color=color: color, lambda: 8)
+        yield line_batches.points(pull.followers[steps == step], lambda color=color: color, lambda: 8)
     if len(pull.lines):
-        yield strokes.lines(pull.lines, lambda: _COLOR, 1.5)
+        yield line_batches.lines(pull.lines, lambda: _COLOR, 1.5)
     if not np.array_equal(pull.start, pull.end):
-        yield strokes.lines(np.array([[pull.start, pull.end]]), lambda: _COLOR, 2.0)
-    yield strokes.points(pull.end[None], lambda: _COLOR, lambda: 11)
+        yield line_batches.lines(np.array([[pull.start, pull.end]]), lambda: _COLOR, 2.0)
+    yield line_batches.points(pull.end[None], lambda: _COLOR, lambda: 11)

@@ -9,9 +9,13 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
-from ..bridge import follow, keyed, parameters, problems, recipes, remaking, settings
-from ..core import decimals
-from ..core.failures import FAILURES, Refusal, sentence
+from ..bridge.data import problems, settings
+from ..bridge.follow import follow
+from ..bridge.net import keyed
+from ..bridge.recipes import parameters, recipes
+from ..bridge.shape import recipe_edit
+from ..core.base import decimals
+from ..core.base.failures import FAILURES, Refusal, sentence
 from ..core.recipes.table import RECIPES
 from . import inputs_list, texts
 
@@ -57,9 +61,9 @@ def _change(data, name, value):
     try:
         if value != recipes.parameters(data)[name]:
             keyed.set_parameters(data, {name: value})
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         recipes.show(data)
 
 
@@ -70,9 +74,9 @@ def _change_frame(self, context):
         return
     try:
         follow.set_frame(data, self.frame, bpy.context.evaluated_depsgraph_get())
-        problems.tell(data, problems.SETTING, "")
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
         recipes.show(data)
 
 
@@ -108,10 +112,10 @@ def _change_points(data, points, first, last, length):
             raise Refusal("the point lies where the other one is: move it in the net first")
         points = points.copy()
         points[last] = points[first] + away * (length / np.linalg.norm(away))
-        remaking.set_points(data, points)
-        problems.tell(data, problems.SETTING, "")
+        recipe_edit.set_points(data, points)
+        problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
-        problems.tell(data, problems.SETTING, sentence(error))
+        problems.set_problem(data, problems.SETTING, sentence(error))
 
 
 class SplinewrightInput(bpy.types.PropertyGroup):

@@ -9,11 +9,15 @@ from typing import NamedTuple
 import bpy
 from bpy.app.handlers import persistent
 
-from ..bridge import follow, late, problems
-from ..bridge.file_state import state
-from ..bridge.net import live, magnet, net_object
-from ..core.failures import told
+from ..bridge.cage import net_object
+from ..bridge.data import problems
+from ..bridge.data.file_state import state
+from ..bridge.follow import follow
+from ..bridge.net import live, magnet
+from ..bridge.recipes import late
+from ..core.base.failures import text_of
 from . import editing
+from .ui_state import ui_state
 
 
 class _Suspended(NamedTuple):
@@ -30,8 +34,8 @@ def before(*_):
     """Take the nets in Edit Mode out of their scenes."""
     editing.sweep()
     for ob in editing.nets():
-        live.pull(ob)
-    editing.settle()
+        live.sync_from_cage(ob)
+    editing.finalize()
     if state.late:
         follow.finish(late.blocks(), bpy.context.evaluated_depsgraph_get())
     suspended = []
@@ -42,7 +46,7 @@ def before(*_):
                 if any(map(net_object.is_net, members)):
                     suspended.append(_suspend(scene, layer, members))
     finally:
-        state.suspended += suspended
+        ui_state.suspended += suspended
     if suspended and not bpy.app.background:
         bpy.app.timers.register(put_back)       # Blender 3.4 does not tell of a save that failed
 
@@ -55,7 +59,7 @@ def _suspend(scene, layer, members):
     for ob, collections in zip(members, taken):
         for collection in collections:
             collection.objects.unlink(ob)
-    magnet.settle(scene, ())
+    magnet.exclude_nets(scene, ())
     _select_shapes(layer, [ob for ob, collections in zip(members, taken) if collections])
     return _Suspended(scene, layer, members, taken)
 
@@ -74,7 +78,7 @@ def after(*_):
     """A file was written."""
     put_back()
     for ob in editing.nets():
-        problems.tell(ob.data, problems.SAVED, _where(ob) if live.unread(ob) else "")
+        problems.set_problem(ob.data, problems.SAVED, _where(ob) if live.unread(ob) else "")
 
 
 def _where(ob):
@@ -84,13 +88,13 @@ def _where(ob):
 @persistent
 def put_back(*_):
     """Put the nets back, in Edit Mode, whether a file was written or not."""
-    while state.suspended:
-        suspended = state.suspended.pop()
+    while ui_state.suspended:
+        suspended = ui_state.suspended.pop()
         try:
             with suppress(ReferenceError):      # something took the scene or its objects away meanwhile
                 _put_back(suspended)
         except Exception as error:
-            told(error)                 # others are to be put back, too
+            text_of(error)                 # others are to be put back, too
 
 
 def _put_back(suspended):
@@ -105,7 +109,7 @@ def _put_back(suspended):
     layer.objects.active = members[0]
     with _at(scene, layer, members[0]):
         bpy.ops.object.mode_set(mode='EDIT')
-    magnet.settle(scene, editing.nets())
+    magnet.exclude_nets(scene, editing.nets())
 
 
 def _at(scene, layer, active):

@@ -3,8 +3,9 @@
 import bpy
 from bpy.props import EnumProperty, FloatProperty, PointerProperty
 
-from ..bridge import fineness, scene_tolerance
-from ..bridge.scene_tolerance import AUTOMATIC, OWN
+from ..bridge.data import tessellate
+from ..bridge.follow import scene_tolerance
+from ..bridge.follow.scene_tolerance import AUTOMATIC, OWN
 from . import texts
 
 
@@ -23,7 +24,7 @@ def options(parameter):
     return {'options': {'SKIP_SAVE'}} if parameter.of_scene else {}
 
 
-def settle(operator, context, recipe):
+def fill_from_scene(operator, context, recipe):
     """Give an operator the scene's tolerance where it was not given one."""
     for parameter in recipe.parameters:
         if parameter.of_scene and not operator.properties.is_property_set(parameter.name):
@@ -32,7 +33,7 @@ def settle(operator, context, recipe):
 
 def settle_in_object(operator, context, ob):
     """settle() for a tolerance in units of an object."""
-    scale = fineness.largest_scale(ob.matrix_world) if ob else 1.0
+    scale = tessellate.largest_scale(ob.matrix_world) if ob else 1.0
     if not operator.properties.is_property_set('tolerance') and scale > 0.0:
         operator.tolerance = scene_tolerance.of(context.scene) / scale
 

@@ -4,10 +4,10 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import sights, surveys
-from ..core import seams
-from ..core.sights import lines
-from . import colors, hand, strokes
+from ..bridge.analysis import overlays, surveys
+from ..core.analysis import lines
+from ..core.joints import seams
+from . import active_shape, colors, line_batches
 
 #: Pixels of a seam and of the rim on either side, on an interface that is not scaled.
 _WIDTH, _RIM = 4.0, 1.5
@@ -15,7 +15,7 @@ _WIDTH, _RIM = 4.0, 1.5
 
 def shape_in_hand(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
-    owner = hand.shape_of(ob)
+    owner = active_shape.shape_of(ob)
     return owner if owner is not None and owner.type == 'MESH' else None
 
 
@@ -26,11 +26,11 @@ def draw():
     ob = shape_in_hand(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return
-    prepared = sights.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)
+    prepared = overlays.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)
     gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-    with gpu.matrix.push_pop(), strokes.nearer():
+    with gpu.matrix.push_pop(), line_batches.nearer():
         gpu.matrix.multiply_matrix(ob.matrix_world)
-        strokes.draw(prepared or ())
+        line_batches.draw(prepared or ())
     gpu.state.depth_test_set('NONE')
 
 
@@ -43,7 +43,7 @@ def _strokes(data, *_):
         pairs.append(ends[is_whole])
         shades.append(np.stack([of_points[:-1], of_points[1:]], 1)[is_whole])
     pairs, shades = np.concatenate(pairs), np.concatenate(shades)
-    return [strokes.lines(pairs, lambda: colors.SEAM_RIM, _WIDTH + 2 * _RIM), strokes.colored(pairs, shades, _WIDTH)]
+    return [line_batches.lines(pairs, lambda: colors.SEAM_RIM, _WIDTH + 2 * _RIM), line_batches.colored(pairs, shades, _WIDTH)]
 
 
 def colored_lines(data):

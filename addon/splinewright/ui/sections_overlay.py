@@ -8,10 +8,12 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import placing, recipes, shape, surveys
-from ..bridge.file_state import state
-from ..core.failures import FAILURES
-from . import numbers_overlay, overlaid, picking, strokes
+from ..bridge.analysis import surveys
+from ..bridge.recipes import placing, recipes
+from ..bridge.shape import shape
+from ..core.base.failures import FAILURES
+from . import line_batches, numbers_overlay, overlaid, picking
+from .ui_state import ui_state
 
 _COLOR = (1.0, 0.62, 0.1, 0.95)
 _SIZE = 15.0
@@ -92,7 +94,7 @@ _NOTHING = _Seen([], False, np.empty((0, 3)), np.empty((0, 3)), [])
 
 
 def _of_context():
-    is_asked = bpy.context.space_data.overlay.show_overlays and state.rounding is None
+    is_asked = bpy.context.space_data.overlay.show_overlays and ui_state.rounding is None
     return _seen(bpy.context.object) if is_asked else _NOTHING
 
 
@@ -101,10 +103,10 @@ def draw():
     seen = _of_context()
     if seen.sections:
         if not seen.arrows:
-            seen.arrows.append(strokes.arrows([(one.foot, one.head) for one in seen.sections if (one.foot != one.head).any()],
+            seen.arrows.append(line_batches.arrows([(one.foot, one.head) for one in seen.sections if (one.foot != one.head).any()],
                                               lambda: _COLOR))
         gpu.state.blend_set('ALPHA')
-        strokes.draw(seen.arrows)
+        line_batches.draw(seen.arrows)
         gpu.state.blend_set('NONE')
 
 

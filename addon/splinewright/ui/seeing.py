@@ -7,7 +7,7 @@ import numpy as np
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ..bridge.net import net_object
+from ..bridge.cage import net_object
 from . import editing, picking
 
 #: How near a click is to what it takes, in pixels of an interface that is not scaled: as in Blender's own Edit Mode.

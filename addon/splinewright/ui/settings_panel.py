@@ -4,8 +4,10 @@ import contextlib
 
 import bpy
 
-from ..bridge import fineness, keyed, problems, recipes, store
-from . import hand, texts
+from ..bridge.data import problems, store, tessellate
+from ..bridge.net import keyed
+from ..bridge.recipes import recipes
+from . import active_shape, texts
 from .sub_panel import SidePanel
 
 
@@ -16,12 +18,12 @@ class SPLINEWRIGHT_PT_display(SidePanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return hand.shape_of(context.object) is not None
+        return active_shape.shape_of(context.object) is not None
 
     def draw(self, context):
-        data = hand.shape_of(context.object).data
+        data = active_shape.shape_of(context.object).data
         with contextlib.suppress(store.UnreadableDefinition):       # the panel of the shape says it
-            draw(self.layout, data, store.read(data), has_buttons=hand.shape_of(context.object) == context.object)
+            draw(self.layout, data, store.read(data), has_buttons=active_shape.shape_of(context.object) == context.object)
 
 
 def draw(layout, data, definition, has_buttons=True):
@@ -30,7 +32,7 @@ def draw(layout, data, definition, has_buttons=True):
     column = layout.column(align=True)
     if definition.has_curves:
         column.prop(settings, "mode", text="Pieces")
-        if settings.mode == fineness.COUNT:
+        if settings.mode == tessellate.COUNT:
             column.prop(settings, "resolution_u", text="Resolution")
         _draw_limits(column, settings)
         if definition.runs_to_infinity or _is_endless(data):
@@ -61,21 +63,21 @@ def _is_endless(data):
 
 def _draw_fineness(column, settings, has_buttons):
     column.prop(settings, "mode")
-    if settings.mode == fineness.COUNT:
+    if settings.mode == tessellate.COUNT:
         column.prop(settings, "resolution_u")
         column.prop(settings, "resolution_v")
     _draw_limits(column, settings, has_buttons)
 
 
 def _draw_limits(column, settings, has_buttons=False):
-    if settings.mode in (fineness.TOLERANCE, fineness.BOTH):
+    if settings.mode in (tessellate.TOLERANCE, tessellate.BOTH):
         row = column.row(align=True)
         row.prop(settings, "tolerance")
         if has_buttons:
             button = row.row(align=True)
             button.enabled = bpy.context.scene.camera is not None
             button.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
-    if settings.mode in (fineness.ANGLE, fineness.BOTH):
+    if settings.mode in (tessellate.ANGLE, tessellate.BOTH):
         column.prop(settings, "angle")
 
 

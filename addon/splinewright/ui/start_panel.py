@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import editing, kinds, menu_table, menus, offered, texts
+from . import editing, menu_table, menus, object_kinds, offered, texts
 from .operators import add_sample
 
 #: Labels and operators by what is selected.
@@ -19,15 +19,15 @@ _JOIN_MANY = ("Join", ('join',))
 
 def groups(obs, active):
     """Pairs of a label and names of operators, for the selected objects and the active one."""
-    found = [kinds.of(ob) for ob in obs]
-    count = {kind: found.count(kind) for kind in kinds.ALL | kinds.INEXACT}
-    curves = sum(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
-    made = [_NATIVE] if count['native'] and kinds.of(active) in kinds.FOLLOWED else []
+    found = [object_kinds.of(ob) for ob in obs]
+    count = {kind: found.count(kind) for kind in object_kinds.ALL | object_kinds.INEXACT}
+    curves = sum(ob.type == 'CURVE' for ob in obs if object_kinds.of(ob) in ('curve', 'native'))
+    made = [_NATIVE] if count['native'] and object_kinds.of(active) in object_kinds.FOLLOWED else []
     made += [("Exact", ('make_exact',))] if count['native'] + count['text'] and not made else []
-    for kind in sorted(kinds.SHAPES):
-        if count[kind] > 1 and active in obs and kinds.of(active) == kind:
+    for kind in sorted(object_kinds.SHAPES):
+        if count[kind] > 1 and active in obs and object_kinds.of(active) == kind:
             made.append(_JOIN[kind] if len(obs) == 2 else _JOIN_MANY)
-    others = sum(count[kind] for kind in kinds.FOLLOWED) - curves
+    others = sum(count[kind] for kind in object_kinds.FOLLOWED) - curves
     if curves == 1 and not others:
         made.append(_FROM_ONE)
     if curves == 2 and not others:
@@ -43,8 +43,8 @@ def groups(obs, active):
 
 def menus_for(obs):
     """Pairs of a text and a menu: all that can be made of the selected objects."""
-    found = {kinds.of(ob) for ob in obs}
-    curves = any(ob.type == 'CURVE' for ob in obs if kinds.of(ob) in ('curve', 'native'))
+    found = {object_kinds.of(ob) for ob in obs}
+    curves = any(ob.type == 'CURVE' for ob in obs if object_kinds.of(ob) in ('curve', 'native'))
     surfaces = 'patch' in found or any(ob.type == 'SURFACE' for ob in obs)
     made = [("Curve from Objects", menu_table.FROM_OBJECTS)] if curves or surfaces else []
     made += [("Surface from Curves", menu_table.FROM_CURVES)] if curves else []

@@ -7,7 +7,7 @@ import bpy
 import gpu
 import numpy as np
 
-from ..bridge import follow
+from ..bridge.follow import follow
 from . import colors, messages, picking
 
 #: In pixels of an interface that is not scaled.
@@ -16,7 +16,7 @@ _SIZE, _LINE, _MARGIN = 12, 17, 7
 _WIDTH, _MOST = 46, 20
 
 
-def said(layer):
+def sentence(layer):
     """[(object, why)] of what stopped following and is seen in a view layer."""
     why = follow.stopped()
     return [(ob, why[ob.data]) for ob in layer.objects if ob.data in why and ob.visible_get(view_layer=layer)] if why else []
@@ -24,7 +24,7 @@ def said(layer):
 
 def in_status(layer):
     """A sentence for the status bar, or ""."""
-    found = said(layer)
+    found = sentence(layer)
     if not found:
         return ""
     more = f" ({len(found) - 1} more stopped)" if len(found) > 1 else ""
@@ -37,7 +37,7 @@ def draw():
     context = bpy.context
     if not context.space_data.overlay.show_overlays:
         return
-    for ob, why in said(context.view_layer)[:_MOST]:
+    for ob, why in sentence(context.view_layer)[:_MOST]:
         if ob.visible_get(viewport=context.space_data):
             _draw_label(context, ob, textwrap.wrap(f"{ob.name} stopped following: {why}", _WIDTH))
 

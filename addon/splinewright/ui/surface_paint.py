@@ -5,9 +5,10 @@ from typing import NamedTuple
 import bpy
 import gpu
 
-from ..bridge import images, sights
-from ..core.sights import faces
-from . import legend, strokes, surface_shader
+from ..bridge.analysis import overlays
+from ..bridge.shape import images
+from ..core.analysis import faces
+from . import legend, line_batches, surface_shader
 
 #: Paint is so much of strokes.nearer() nearer: lines lie above it.
 _PART = 0.5
@@ -26,7 +27,7 @@ def draw(chosen, obs):
     reach = _reach(chosen, found)
     for ob, painted in found:
         gpu.state.depth_test_set('NONE' if ob.show_in_front else 'LESS_EQUAL')
-        with strokes.nearer(_PART):
+        with line_batches.nearer(_PART):
             for matrix in images.of(ob, context.view_layer, context.space_data):
                 _draw(chosen, painted.batch, matrix, reach)
     gpu.state.depth_test_set('NONE')
@@ -42,12 +43,12 @@ def _draw(chosen, batch, matrix, reach):
 def _painted(chosen, obs):
     """[(object, Painted)]."""
     what = ('curvature', (chosen.curvature_kind,)) if chosen.curvature else ('faces', (None,))
-    found = [(ob, sights.kept(ob.data, *what, _paint)) for ob in obs if ob.type == 'MESH']
+    found = [(ob, overlays.kept(ob.data, *what, _paint)) for ob in obs if ob.type == 'MESH']
     return [(ob, painted) for ob, painted in found if painted is not None]
 
 
 def _paint(data, value):
-    found = sights.faces_of(data, value)
+    found = overlays.faces_of(data, value)
     return Painted(surface_shader.batch(found), faces.reach(found))
 
 

@@ -117,7 +117,7 @@ def colors_at(parts, colors=COLORS):
 
 
 def batch(faces):
-    """What draw() draws of core.sights.faces.Faces."""
+    """What draw() draws of core.analysis.faces.Faces."""
     values = np.where(np.isfinite(faces.values), faces.values, np.float32(3e38))
     return batch_for_shader(shader(), 'TRIS', {'pos': faces.positions, 'nor': faces.normals, 'value': values},
                             indices=faces.triangles)

@@ -5,7 +5,7 @@ from pathlib import Path
 import bpy
 from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
 
-from . import editing, hand
+from . import active_shape, editing
 from .tool_table import GROUPS, NETS, TOOLS
 
 _ICONS = Path(__file__).resolve().parent.parent / "icons"
@@ -86,7 +86,7 @@ class _Section:
 
 def _is_wanted(context, mode):
     """Whether tools of ours have something to be used on; one that is in use is shown wherever it is."""
-    if mode == 'OBJECT' and hand.shapes(context) or mode != 'OBJECT' and editing.nets_in_edit_mode(context):
+    if mode == 'OBJECT' and active_shape.shapes(context) or mode != 'OBJECT' and editing.nets_in_edit_mode(context):
         return True
     return active(context) is not None
 

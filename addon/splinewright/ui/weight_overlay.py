@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import bpy
 
-from ..bridge.file_state import state
 from . import messages, mouse_words
+from .ui_state import ui_state
 
 
 class Weighing(NamedTuple):
@@ -20,6 +20,6 @@ class Weighing(NamedTuple):
 
 def draw():
     """Called by Blender for each 3D view."""
-    shown = state.weighing
+    shown = ui_state.weighing
     if shown is not None and shown.region == bpy.context.region.as_pointer():
         mouse_words.draw(shown.x, shown.y, (shown.text,), messages.WARNING if shown.is_warning else messages.NOTE)

@@ -1,7 +1,7 @@
 """Exact NURBS, Bezier and Hermite curves and patches on a native library."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any, Generic, Literal, SupportsIndex, TypedDict, TypeVar, final
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Literal, SupportsIndex, TypedDict, TypeVar, final
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -79,7 +79,9 @@ class InvalidShape(Error, ValueError):
     """Bad input: the message names the argument, the first offending index and its value."""
 
 class FormulaError(InvalidShape):
-    """Text that is no formula: the message ends with the place, which is also its attribute position."""
+    """Text that is not a formula: the message ends with the place, and `position` is the character, counted
+    from 0.
+    """
 
     position: int
 
@@ -87,316 +89,467 @@ class PointAtInfinity(Error, ArithmeticError):
     """A point was asked for where the homogeneous weight is zero."""
 
 class ToleranceNotReached(Error, ArithmeticError):
-    """What was asked for cannot be had within the tolerance."""
+    """The tolerance cannot be reached: the message says which error can."""
 
 class Cancelled(Error, RuntimeError):
-    """A long call was ended by its cancel argument."""
+    """A long call was ended by its `cancel` argument."""
 
 @final
 class Continuity:
-    """The continuity of a curve where two of its pieces, or two curves, meet."""
+    """The continuity of a curve where two of its pieces, or two curves, meet.
+
+    References
+    ----------
+    Lecture row S16.
+    """
 
     @property
-    def gap(self) -> float: ...
+    def gap(self) -> float:
+        """Distance of the ends, a length."""
     @property
-    def angle(self) -> float: ...
+    def angle(self) -> float:
+        """Angle between the tangents, in radians, 0 to pi."""
     @property
-    def curvature_difference(self) -> float: ...
+    def curvature_difference(self) -> float:
+        """Length of the difference of both curvature vectors, in 1 / length."""
     @property
-    def c(self) -> int: ...
+    def c(self) -> int:
+        """Number of derivatives that agree: -1 for a gap, the degree where there is no joint."""
     @property
-    def g(self) -> int: ...
+    def g(self) -> int:
+        """Geometric continuity: -1 for a gap, 0, 1, 2, or `c` where that is more."""
     def __copy__(self) -> Continuity: ...
     def __deepcopy__(self, memo: object, /) -> Continuity: ...
 
 @final
 class Filling:
-    """What fills a hole: patches, and how well they go on from its sides.
+    """The patches that fill a hole, and how well they continue its sides.
 
-    gap is a length, angle and inner_angle are in radians, curvature_difference is 1 / length.
+    References
+    ----------
+    Lecture row S21.
     """
 
     @property
-    def patches(self) -> tuple[NurbsPatch, ...]: ...
+    def patches(self) -> tuple[NurbsPatch, ...]:
+        """The patches."""
     @property
-    def gap(self) -> float: ...
+    def gap(self) -> float:
+        """Largest distance from a side, a length."""
     @property
-    def angle(self) -> float: ...
+    def angle(self) -> float:
+        """Largest angle between tangent planes along neighbors with 'G1' and 'G2', in radians."""
     @property
-    def curvature_difference(self) -> float: ...
+    def curvature_difference(self) -> float:
+        """Largest difference of normal curvatures across neighbors with 'G2', in 1 / length."""
     @property
-    def inner_angle(self) -> float: ...
+    def inner_angle(self) -> float:
+        """Largest angle between tangent planes of two patches of the filling, in radians."""
     def __copy__(self) -> Filling: ...
     def __deepcopy__(self, memo: object, /) -> Filling: ...
 
 @final
 class SubdivisionPatches:
-    """Patches of the surface to which a mesh converges, one for each face of the mesh subdivided `rounds` times.
-
-    irregular of them are not the surface itself; angle is in radians.
-    """
+    """Patches of a subdivision surface, one for each face of the subdivided mesh, in its order."""
 
     @property
-    def patches(self) -> tuple[NurbsPatch, ...]: ...
+    def patches(self) -> tuple[NurbsPatch, ...]:
+        """The patches."""
     @property
-    def rounds(self) -> int: ...
+    def rounds(self) -> int:
+        """How often the mesh was subdivided."""
     @property
-    def irregular(self) -> int: ...
+    def irregular(self) -> int:
+        """Number of patches beside extraordinary points; these are not exactly the surface."""
     @property
-    def angle(self) -> float: ...
+    def angle(self) -> float:
+        """Largest angle between tangent planes across a side of one of those, in radians."""
     def __copy__(self) -> SubdivisionPatches: ...
     def __deepcopy__(self, memo: object, /) -> SubdivisionPatches: ...
 
 @final
-class LoftSurface:
-    """The surface through sections, how far it is from them, and with which part of their strengths it follows its neighbors."""
+class LoftSurface(tuple[NurbsPatch, float]):
+    """The surface through sections, and how far sections were moved.
+
+    Unpacks as `value, error = …`.
+    """
 
     @property
-    def value(self) -> NurbsPatch: ...
+    def value(self) -> NurbsPatch:
+        """The surface."""
     @property
-    def error(self) -> float: ...
+    def error(self) -> float:
+        """The error, a length in units of the points; 0 where nothing but rounding was lost."""
     @property
-    def followed(self) -> float: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def followed(self) -> float:
+        """The part of their strengths with which the surface follows its neighbors: less than 1 where it would
+        have swung out.
+        """
     def __copy__(self) -> LoftSurface: ...
     def __deepcopy__(self, memo: object, /) -> LoftSurface: ...
 
 @final
-class NetworkSurface:
-    """The surface through a network; how far its sides are from the outermost curves, run through at one pace."""
+class NetworkSurface(tuple[NurbsPatch, float]):
+    """The surface through a network of curves, and the largest distance from a curve.
+
+    Unpacks as `value, error = …`.
+    """
 
     @property
-    def value(self) -> NurbsPatch: ...
+    def value(self) -> NurbsPatch:
+        """The surface."""
     @property
-    def error(self) -> float: ...
+    def error(self) -> float:
+        """The largest distance from a curve, a length."""
     @property
-    def paces(self) -> tuple[float | None, float | None, float | None, float | None]: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def paces(self) -> tuple[float | None, float | None, float | None, float | None]:
+        """Distances of the sides u_start, u_end, v_start and v_end from the outermost curves at the same share
+        of their parameters.
+
+        Lengths, 0 but for rounding where a side shares the parameters of its curve; None where a direction is
+        closed.
+        """
     def __copy__(self) -> NetworkSurface: ...
     def __deepcopy__(self, memo: object, /) -> NetworkSurface: ...
 
 @final
 class RoundedEdge:
-    """What rounds the edge of two patches: what is left of them, and the fillet between; error is a length."""
+    """What replaces the edge of two patches: the rest of both, and the fillet between them."""
 
     @property
-    def first(self) -> NurbsPatch: ...
+    def first(self) -> NurbsPatch:
+        """The rest of the first patch."""
     @property
-    def fillet(self) -> NurbsPatch: ...
+    def fillet(self) -> NurbsPatch:
+        """The fillet."""
     @property
-    def second(self) -> NurbsPatch: ...
+    def second(self) -> NurbsPatch:
+        """The rest of the second patch."""
     @property
-    def error(self) -> float: ...
+    def error(self) -> float:
+        """The largest distance, a length, of one of these from where it should be."""
     def __copy__(self) -> RoundedEdge: ...
     def __deepcopy__(self, memo: object, /) -> RoundedEdge: ...
 
 @final
 class SeamContinuity:
-    """The continuity of two patches across a side of each; arrays at n places along it.
+    """The continuity of two patches across a side of each.
 
-    gap is a length, angle in [0, pi] lies between the tangent planes, curvature_difference is 1 / length.
-    parameters (n,) in [0, 1], points (n, 3), the other arrays (n,); nan where there is nothing to measure.
+    Numbers are the largest found along the seam; arrays belong to n places along it, NaN where there is
+    nothing to measure.
+
+    References
+    ----------
+    Lecture rows S16, S21.
     """
 
     @property
-    def gap(self) -> float: ...
+    def gap(self) -> float:
+        """Largest distance of both sides, a length."""
     @property
-    def angle(self) -> float: ...
+    def angle(self) -> float:
+        """Largest angle between tangent planes, in radians: 0 where the second patch continues the first, pi
+        where it folds back.
+        """
     @property
-    def curvature_difference(self) -> float: ...
+    def curvature_difference(self) -> float:
+        """Largest difference of normal curvatures at right angles to the seam, in 1 / length."""
     @property
-    def first_difference(self) -> float: ...
+    def first_difference(self) -> float:
+        """Largest difference of first derivatives across the seam, relative to the largest of them."""
     @property
-    def second_difference(self) -> float: ...
+    def second_difference(self) -> float:
+        """Largest difference of second derivatives across the seam, relative to the largest of them."""
     @property
-    def c(self) -> int: ...
+    def c(self) -> int:
+        """Number of derivatives across the seam that agree, at most 2; -1 for a gap."""
     @property
-    def g(self) -> int: ...
+    def g(self) -> int:
+        """Geometric continuity: -1 for a gap, 0, 1 for tangent planes, 2 for curvatures."""
     @property
-    def reversed(self) -> bool: ...
+    def reversed(self) -> bool:
+        """Whether the second side runs against the first one."""
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (n,) of the places along the first side, in [0, 1]; twice at knots. Read-only."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (n, 3) of the places, read-only."""
     @property
-    def gaps(self) -> _Floats: ...
+    def gaps(self) -> _Floats:
+        """Distances (n,), read-only."""
     @property
-    def angles(self) -> _Floats: ...
+    def angles(self) -> _Floats:
+        """Angles (n,) in radians, read-only."""
     @property
-    def curvature_differences(self) -> _Floats: ...
+    def curvature_differences(self) -> _Floats:
+        """Differences (n,) of normal curvatures, read-only."""
     def __copy__(self) -> SeamContinuity: ...
     def __deepcopy__(self, memo: object, /) -> SeamContinuity: ...
 
 @final
 class Curvatures:
-    """How patches bend at places (...,): positive towards the normal along S_u x S_v."""
+    """How patches bend at places (...,), positive towards the normal along S_u x S_v."""
 
     @property
-    def gauss(self) -> _Floats: ...
+    def gauss(self) -> _Floats:
+        """Gaussian curvatures (...,), in 1 / length²."""
     @property
-    def mean(self) -> _Floats: ...
+    def mean(self) -> _Floats:
+        """Mean curvatures (...,), in 1 / length."""
     @property
-    def principal(self) -> _Floats: ...
+    def principal(self) -> _Floats:
+        """Principal curvatures (..., 2), the larger one first, in 1 / length."""
     @property
-    def directions(self) -> _Floats: ...
+    def directions(self) -> _Floats:
+        """Principal directions (..., 2, 3): unit vectors at right angles, the second is the normal times the
+        first.
+        """
     def __copy__(self) -> Curvatures: ...
     def __deepcopy__(self, memo: object, /) -> Curvatures: ...
 
 @final
 class Nearest:
-    """The nearest points of a shape to points (..., 3); parameters are (...,) on a curve and (..., 2) on a patch."""
+    """The nearest points of a shape to given points (..., 3)."""
 
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (...,) on a curve; (..., 2), u and v, on a patch."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (..., 3) of the shape."""
     @property
-    def distances(self) -> _Floats: ...
+    def distances(self) -> _Floats:
+        """Distances (...,) from the given points."""
     def __copy__(self) -> Nearest: ...
     def __deepcopy__(self, memo: object, /) -> Nearest: ...
 
 @final
 class Intersections:
-    """The n places where two curves meet, and the m stretches, (start, end) of each, that they have in common."""
+    """The n places where two curves meet, and the m stretches that they have in common."""
 
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (n, 2) on the first and the second curve."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (n, 3) in the middle between both curves."""
     @property
-    def distances(self) -> _Floats: ...
+    def distances(self) -> _Floats:
+        """Distances (n,) of the curves."""
     @property
-    def touches(self) -> NDArray[np.bool_]: ...
+    def touches(self) -> NDArray[np.bool_]:
+        """Whether the tangents are parallel (n,)."""
     @property
-    def overlaps(self) -> _Floats: ...
+    def overlaps(self) -> _Floats:
+        """Stretches (m, 2, 2): start and end on the first curve and on the second."""
     @property
-    def reversed(self) -> NDArray[np.bool_]: ...
+    def reversed(self) -> NDArray[np.bool_]:
+        """Whether the curves run against each other on a stretch (m,)."""
     def __copy__(self) -> Intersections: ...
     def __deepcopy__(self, memo: object, /) -> Intersections: ...
 
 @final
 class LeastDistance:
-    """Where two shapes are nearest to each other: parameters and points of each."""
+    """Where two shapes are nearest to each other."""
 
     @property
-    def distance(self) -> float: ...
+    def distance(self) -> float:
+        """The distance, a length."""
     @property
-    def parameters(self) -> tuple[float | tuple[float, float], float | tuple[float, float]]: ...
+    def parameters(self) -> tuple[float | tuple[float, float], float | tuple[float, float]]:
+        """Of each shape its parameter; of a patch a pair (u, v)."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (2, 3), one on each shape."""
     def __copy__(self) -> LeastDistance: ...
     def __deepcopy__(self, memo: object, /) -> LeastDistance: ...
 
 @final
 class RayHits:
-    """Places where rays meet a shape: (...,) of the first one of each ray, nan where it misses, or (n,) of all."""
+    """Places where rays meet a shape: arrays (...,) of the shape of the rays for first hits, (n,) for all
+    hits.
+    """
 
     @property
-    def rays(self) -> NDArray[np.int64]: ...
+    def rays(self) -> NDArray[np.int64]:
+        """Number of the ray of each place (...,)."""
     @property
-    def along(self) -> _Floats: ...
+    def along(self) -> _Floats:
+        """Where each place lies on its ray (...,): origin + along * direction; NaN where the ray misses."""
     @property
-    def until(self) -> _Floats: ...
+    def until(self) -> _Floats:
+        """Where the ray leaves the shape on which it lies (...,); equal to `along` where it only meets it."""
     @property
-    def patches(self) -> NDArray[np.int64]: ...
+    def patches(self) -> NDArray[np.int64]:
+        """Number of the patch of a set (...,), -1 where a ray misses."""
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (..., 2): u and v."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (..., 3) on the shape."""
     @property
-    def touches(self) -> NDArray[np.bool_]: ...
+    def touches(self) -> NDArray[np.bool_]:
+        """Whether the ray does not pass through the surface (...,)."""
     def __copy__(self) -> RayHits: ...
     def __deepcopy__(self, memo: object, /) -> RayHits: ...
 
 @final
 class PatchIntersections:
-    """The n places where a curve meets a patch, parameters (n, 3), and the m stretches (start, end) that lie on it."""
+    """The n places where a curve meets a patch or a plane, and the m stretches that lie on it."""
 
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (n, 3): t of the curve, u and v of the patch."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (n, 3) in the middle between both."""
     @property
-    def distances(self) -> _Floats: ...
+    def distances(self) -> _Floats:
+        """Distances (n,) of both."""
     @property
-    def touches(self) -> NDArray[np.bool_]: ...
+    def touches(self) -> NDArray[np.bool_]:
+        """Whether the curve does not pass through the patch (n,)."""
     @property
-    def overlaps(self) -> _Floats: ...
+    def overlaps(self) -> _Floats:
+        """Stretches (m, 2): start and end on the curve."""
     def __copy__(self) -> PatchIntersections: ...
     def __deepcopy__(self, memo: object, /) -> PatchIntersections: ...
 
 @final
 class Sections:
-    """The n curves that two shapes have in common, with their images, and the m points where they touch beside them."""
+    """The n curves that two surfaces have in common, and the m points where they touch."""
 
     @property
-    def curves(self) -> tuple[NurbsCurve, ...]: ...
+    def curves(self) -> tuple[NurbsCurve, ...]:
+        """The curves."""
     @property
-    def on_a(self) -> tuple[NurbsCurve, ...]: ...
+    def on_a(self) -> tuple[NurbsCurve, ...]:
+        """Images of the curves in the parameters of the first surface: points (u, v, 0) by the same parameter."""
     @property
-    def on_b(self) -> tuple[NurbsCurve, ...]: ...
+    def on_b(self) -> tuple[NurbsCurve, ...]:
+        """Images of the curves in the parameters of the second surface."""
     @property
-    def closed(self) -> NDArray[np.bool_]: ...
+    def closed(self) -> NDArray[np.bool_]:
+        """Whether each curve ends where it begins (n,)."""
     @property
-    def kinds(self) -> tuple[Literal["crossing", "touching", "border"], ...]: ...
+    def kinds(self) -> tuple[Literal["crossing", "touching", "border"], ...]:
+        """For each curve 'crossing', 'touching', or 'border' of a part where both surfaces are one."""
     @property
-    def are_one(self) -> bool: ...
+    def are_one(self) -> bool:
+        """Whether both surfaces have a part in common."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (m, 3) where the surfaces touch."""
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (m, 2, 2) of those points: u and v on the first surface, and on the second."""
     def __copy__(self) -> Sections: ...
     def __deepcopy__(self, memo: object, /) -> Sections: ...
 
 @final
 class StationaryPoints:
-    """The n places of a shape where the distance from a point is stationary; parameters are (n,) or (n, 2)."""
+    """The n places of a shape where the distance from a point is stationary."""
 
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (n,) on a curve; (n, 2), u and v, on a patch."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (n, 3) of the shape."""
     @property
-    def distances(self) -> _Floats: ...
+    def distances(self) -> _Floats:
+        """Distances (n,) from the point."""
     @property
-    def kinds(self) -> tuple[Literal["minimum", "maximum", "saddle"], ...]: ...
+    def kinds(self) -> tuple[Literal["minimum", "maximum", "saddle"], ...]:
+        """For each place 'minimum', 'maximum', or 'saddle' where it is neither."""
     def __copy__(self) -> StationaryPoints: ...
     def __deepcopy__(self, memo: object, /) -> StationaryPoints: ...
 
 @final
 class JoinedPatches:
-    """Two patches that meet in a side of each; errors are lengths, 0 for a patch that stays."""
+    """Two patches that meet in a side of each: points and weights along it are equal."""
 
     @property
-    def first(self) -> BezierPatch | NurbsPatch: ...
+    def first(self) -> BezierPatch | NurbsPatch:
+        """The first patch: a Bezier patch if both were."""
     @property
-    def second(self) -> BezierPatch | NurbsPatch: ...
+    def second(self) -> BezierPatch | NurbsPatch:
+        """The second patch: a Bezier patch if both were."""
     @property
-    def first_error(self) -> float: ...
+    def first_error(self) -> float:
+        """How far the first patch moved, a length."""
     @property
-    def second_error(self) -> float: ...
+    def second_error(self) -> float:
+        """How far the second patch moved, a length."""
     @property
-    def reversed(self) -> bool: ...
+    def reversed(self) -> bool:
+        """Whether the second side runs against the first one."""
     def __copy__(self) -> JoinedPatches: ...
     def __deepcopy__(self, memo: object, /) -> JoinedPatches: ...
 
 _Kind = TypeVar("_Kind")
 
 @final
-class Approximation(Generic[_Kind]):
-    """A value that stands for another, and how far the two lie apart at most."""
+class Approximation(tuple[_Kind, float]):
+    """A value that stands for another, and an upper bound of their distance.
+
+    Unpacks as `value, error = …`.
+
+    Examples
+    --------
+    >>> curve = sc.BezierCurve([(0, 0), (1, 1), (2, 0)])
+    >>> line, error = curve.reduce()
+    >>> line.degree, round(error, 9)
+    (1, 0.5)
+    """
 
     @property
-    def value(self) -> _Kind: ...
+    def value(self) -> _Kind:
+        """The value."""
     @property
-    def error(self) -> float: ...
-    def __iter__(self) -> Iterator[Any]: ...
+    def error(self) -> float:
+        """The error, a length in units of the points; 0 where nothing but rounding was lost."""
     def __copy__(self) -> Approximation[_Kind]: ...
     def __deepcopy__(self, memo: object, /) -> Approximation[_Kind]: ...
 
 @final
 class NurbsCurve:
-    """n control points with weights on n + degree + 1 knots; periodic on n + 1, one period."""
+    """A NURBS curve: control points with weights on a knot vector.
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    degree : int
+        Degree, 1 to 255.
+    knots : array_like
+        Knots that do not decrease: (n + degree + 1,), or (n + 1,) for one period of a periodic curve.
+    points : array_like
+        Control points (n, 2 or 3), in any unit of length; two coordinates lie in the xy plane.
+    weights : array_like, optional
+        Weights (n,), 1 where none are given; 0 makes a point a direction, negative ones are allowed.
+    periodic : bool, default False
+        Whether the curve is closed and takes any parameter, modulo its period.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    The NURBS Book, chapter 4; lecture rows S11, S15.
+
+    Examples
+    --------
+    >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+    >>> curve
+    NurbsCurve(degree=2, points=3, rational)
+    >>> round(curve.length(), 12)      # a quarter of the unit circle
+    1.570796326795
+    """
 
     def __init__(
         self,
@@ -409,27 +562,95 @@ class NurbsCurve:
     @staticmethod
     def from_homogeneous(
         degree: SupportsIndex, knots: ArrayLike, points: ArrayLike, periodic: bool = False
-    ) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Make a curve from homogeneous control points.
+
+        Parameters
+        ----------
+        degree : int
+            Degree, 1 to 255.
+        knots : array_like
+            Knots, as of the constructor.
+        points : array_like
+            Rows (n, 4) of wx, wy, wz, w; w = 0 makes a direction.
+        periodic : bool, default False
+            Whether the curve is periodic.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
     @property
-    def domain(self) -> _Interval: ...
+    def domain(self) -> _Interval:
+        """First and last parameter (start, end)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def periodic(self) -> bool: ...
+    def periodic(self) -> bool:
+        """Whether the curve is periodic."""
     @property
-    def knots(self) -> _Floats: ...
+    def knots(self) -> _Floats:
+        """The knots as given, a read-only float64 array."""
     @property
-    def knot_vector(self) -> basis.KnotVector: ...
+    def knot_vector(self) -> basis.KnotVector:
+        """The `basis.KnotVector` of the curve."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Control points (n, 3) float64, as given, read-only."""
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity."""
     @property
-    def homogeneous_points(self) -> _Floats: ...
-    def with_points(self, points: ArrayLike) -> NurbsCurve: ...
-    def with_weights(self, weights: ArrayLike) -> NurbsCurve: ...
+    def homogeneous_points(self) -> _Floats:
+        """Rows (n, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large
+        for a number.
+        """
+    def with_points(self, points: ArrayLike) -> NurbsCurve:
+        """Replace the control points, keep weights and knots.
+
+        Parameters
+        ----------
+        points : array_like
+            As many control points (n, 2 or 3).
+
+        Returns
+        -------
+        NurbsCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def with_weights(self, weights: ArrayLike) -> NurbsCurve:
+        """Replace the weights, keep control points and knots.
+
+        Parameters
+        ----------
+        weights : array_like
+            As many weights (n,).
+
+        Returns
+        -------
+        NurbsCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -440,7 +661,56 @@ class NurbsCurve:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the curve.
+
+        A parameter has the same result in every bit in any batch and on any number of threads.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S6, S9, S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> arc.evaluate([0.0, 0.5, 1.0]).round(6)
+        array([[1.      , 0.      , 0.      ],
+               [0.707107, 0.707107, 0.      ],
+               [0.      , 1.      , 0.      ]])
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -451,78 +721,1299 @@ class NurbsCurve:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def pieces(self) -> list[_Interval]: ...
+    ) -> _Floats:
+        """Evaluate points and their derivatives by the parameter.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        order : int
+            Highest order of derivatives, 0 or more.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, 3): `[..., 0, :]` are the points of `evaluate`, in every bit.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.2.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.derivatives(0.5, 1)
+        array([[1., 1., 0.],
+               [2., 0., 0.]])
+        """
+    def pieces(self) -> list[_Interval]:
+        """Find the intervals on which the curve is finite and connected.
+
+        It is cut where the weight is zero and at knots of multiplicity degree + 1.
+
+        Returns
+        -------
+        list of tuple (float, float)
+            Intervals (start, end) in order.
+        """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
-    ) -> list[tuple[_Floats, bool]]: ...
-    def split(self, u: float) -> tuple[NurbsCurve, ...]: ...
-    def transformed(self, matrix: ArrayLike) -> NurbsCurve: ...
-    def translated(self, by: ArrayLike) -> NurbsCurve: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsCurve: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsCurve: ...
-    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]: ...
-    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity: ...
+    ) -> list[tuple[_Floats, bool]]:
+        """Sample the curve evenly in its parameter, one polyline for each of `pieces`.
+
+        With a reach, a curve whose weights differ in sign ends where it leaves the box of its finite control
+        points by that length in a coordinate; without one, at its last sample before infinity.
+
+        Parameters
+        ----------
+        resolution : int
+            Steps in every span.
+        reach : float, optional
+            A length beyond the box of the control points at which a curve through infinity is cut.
+        around : array_like, optional
+            Points (n, 2 or 3) whose box stands for that of the control points; any curve is cut there.
+
+        Returns
+        -------
+        list of tuple (numpy.ndarray, bool)
+            Pairs (points (m, 3), whether the polyline is closed).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (2, 0)])
+        >>> points, closed = line.polylines(2)[0]
+        >>> points.tolist(), closed
+        ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], False)
+        """
+    def split(self, u: float) -> tuple[NurbsCurve, ...]:
+        """Cut the curve at a parameter.
+
+        Parameters
+        ----------
+        u : float
+            A parameter inside the domain; a periodic curve takes any.
+
+        Returns
+        -------
+        tuple of NurbsCurve
+            (before, after), each on its part of the domain; of a periodic curve (opened,), one plain
+            curve from u once around.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> before, after = curve.split(0.25)
+        >>> round(before.length(), 9), after.domain
+        (1.0, (0.25, 1.0))
+        """
+    def transformed(self, matrix: ArrayLike) -> NurbsCurve:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        NurbsCurve
+            The image of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S15.
+
+        Examples
+        --------
+        >>> line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> line.transformed([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0]]).points.tolist()
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]
+        """
+    def translated(self, by: ArrayLike) -> NurbsCurve:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        NurbsCurve
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsCurve:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        NurbsCurve
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsCurve:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        NurbsCurve
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
+        """Append another curve of any kind.
+
+        Points next to the joint move as little as the continuity asks. For 'C1' and 'C2' the domain of the
+        other curve is scaled first.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        continuity : {'C0', 'G1', 'C1', 'C2'}, default 'C0'
+            The continuity wanted at the joint.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            Both as one curve, and the distance by which they moved, a length.
+
+        Raises
+        ------
+        InvalidShape
+            If a curve is periodic or an end lies at infinity.
+
+        References
+        ----------
+        Lecture row S7.
+
+        Examples
+        --------
+        >>> a = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> b = sc.NurbsCurve(1, [0, 0, 1, 1], [(1, 0), (1, 1)])
+        >>> joined, error = a.join(b)
+        >>> joined.domain, error
+        ((0.0, 2.0), 0.0)
+        """
+    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity:
+        """Measure the continuity between the end of this curve and the start of another one, of any kind.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        Continuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+        """
     @property
-    def is_closed(self) -> bool: ...
-    def reversed(self) -> NurbsCurve: ...
-    def to_bezier(self) -> list[BezierCurve]: ...
-    def to_hermite(self) -> HermiteCurve: ...
-    def to_nurbs(self) -> NurbsCurve: ...
-    def to_power(self) -> list[PowerCurve]: ...
-    def insert_knot(self, u: float, times: SupportsIndex = 1) -> NurbsCurve: ...
-    def refine(self, knots: ArrayLike) -> NurbsCurve: ...
-    def unrolled(self) -> NurbsCurve: ...
+    def is_closed(self) -> bool:
+        """Whether the curve is in one piece and ends exactly where it begins."""
+    def reversed(self) -> NurbsCurve:
+        """Reverse the direction of the curve over the same domain.
+
+        Over [-end, -start] where rounding of start + end - u would spoil short spans far from zero.
+
+        Returns
+        -------
+        NurbsCurve
+            The same points in the opposite direction.
+        """
+    def to_bezier(self) -> list[BezierCurve]:
+        """Convert to Bezier curves, one for each span.
+
+        Returns
+        -------
+        list of BezierCurve
+            Bezier curves in order.
+
+        References
+        ----------
+        The NURBS Book, A5.6.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 1), (3, 0)])
+        >>> len(curve.to_bezier())
+        2
+        """
+    def to_hermite(self) -> HermiteCurve:
+        """Convert to a chain of cubics.
+
+        Returns
+        -------
+        HermiteCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, has a gap, or its degree is above 3.
+        """
+    def to_nurbs(self) -> NurbsCurve:
+        """Give the curve itself.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve.
+        """
+    def to_power(self) -> list[PowerCurve]:
+        """Convert to powers of the parameter, one curve for each span.
+
+        Returns
+        -------
+        list of PowerCurve
+            Curves in order, in powers of the parameter from the start of each span.
+
+        References
+        ----------
+        Lecture row S2.
+        """
+    def insert_knot(self, u: float, times: SupportsIndex = 1) -> NurbsCurve:
+        """Add a knot without changing the curve.
+
+        Control points that need not move keep every digit.
+
+        Parameters
+        ----------
+        u : float
+            A parameter inside the domain.
+        times : int, default 1
+            How often.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve with more knots.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Boehm 1980; The NURBS Book, A5.1.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 2), (2, 0)])
+        >>> curve.insert_knot(0.5).points.tolist()
+        [[0.0, 0.0, 0.0], [0.5, 1.0, 0.0], [1.5, 1.0, 0.0], [2.0, 0.0, 0.0]]
+        """
+    def refine(self, knots: ArrayLike) -> NurbsCurve:
+        """Add several knots without changing the curve.
+
+        Parameters
+        ----------
+        knots : array_like
+            Parameters (n,) inside the domain.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve with more knots.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def unrolled(self) -> NurbsCurve:
+        """Convert a periodic curve to a plain one whose knots and points are repeated.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+        """
     def remove_knot(
         self, u: float, times: SupportsIndex = 1, tolerance: float | None = None
-    ) -> Approximation[NurbsCurve]: ...
-    def bezier_points(self) -> _Floats: ...
-    def remove_knots(self, tolerance: float, *, cancel: _Cancel | None = None) -> Approximation[NurbsCurve]: ...
-    def elevate(self, times: SupportsIndex = 1) -> NurbsCurve: ...
-    def reduce(self, times: SupportsIndex = 1, tolerance: float | None = None) -> Approximation[NurbsCurve]: ...
-    def with_domain(self, domain: ArrayLike) -> NurbsCurve: ...
-    def clamped(self) -> NurbsCurve: ...
-    def unclamped(self) -> NurbsCurve: ...
-    def to_periodic(self, tolerance: float | None = None) -> Approximation[NurbsCurve]: ...
-    def largest_distance(self, other: NurbsCurve) -> float: ...
-    def continuity(self, u: float, tolerance: float = 1e-8) -> Continuity: ...
-    def joints(self, tolerance: float = 1e-8) -> list[tuple[float, Continuity]]: ...
-    def finite_arcs(self, length: float) -> list[NurbsCurve]: ...
-    def moebius(self, rho: float) -> NurbsCurve: ...
-    def standard_form(self) -> NurbsCurve: ...
+    ) -> Approximation[NurbsCurve]:
+        """Remove an inner knot, with the nearest control points.
+
+        Control points that the knot does not affect keep every digit.
+
+        Parameters
+        ----------
+        u : float
+            An inner knot.
+        times : int, default 1
+            How many copies of it.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If u is not an inner knot.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        The NURBS Book, 5.4; lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 2), (2, 0)]).insert_knot(0.5)
+        >>> simpler, error = curve.remove_knot(0.5)
+        >>> len(simpler.points), error < 1e-15
+        (3, True)
+        """
+    def bezier_points(self) -> _Floats:
+        """Homogeneous control points of all Bezier pieces.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (pieces, degree + 1, 4) of wx, wy, wz, w: the control points of `to_bezier`.
+
+        Raises
+        ------
+        InvalidShape
+            Where one is too large for a number.
+        """
+    def remove_knots(self, tolerance: float, *, cancel: _Cancel | None = None) -> Approximation[NurbsCurve]:
+        """Remove all inner knots that are not needed within a tolerance.
+
+        Knots that nothing needs are removed before those that shape the curve.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest error allowed, a length in units of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A5.9; lecture row S15.
+        """
+    def elevate(self, times: SupportsIndex = 1) -> NurbsCurve:
+        """Raise the degree without changing the curve; every distinct knot gains as many copies.
+
+        Parameters
+        ----------
+        times : int, default 1
+            By how much.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        The NURBS Book, 5.5; lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
+        >>> curve.elevate().points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
+        """
+    def reduce(self, times: SupportsIndex = 1, tolerance: float | None = None) -> Approximation[NurbsCurve]:
+        """Lower the degree, with the nearest control points.
+
+        Exact where the degree was raised before. A plain curve keeps its ends, clamped.
+
+        Parameters
+        ----------
+        times : int, default 1
+            By how much.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        Lecture row S15.
+        """
+    def with_domain(self, domain: ArrayLike) -> NurbsCurve:
+        """Map the knots to another domain; the points stay.
+
+        Parameters
+        ----------
+        domain : array_like
+            First and last parameter (2,), start < end.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve over another domain.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+        """
+    def clamped(self) -> NurbsCurve:
+        """Clamp both ends, so that the curve begins and ends in its outer control points; a periodic curve is
+        cut at its seam.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        References
+        ----------
+        Lecture row S15.
+        """
+    def unclamped(self) -> NurbsCurve:
+        """Continue the knots outside the domain; a periodic curve becomes a plain one.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            Where weights at an end differ so much that rounding would move the curve.
+
+        References
+        ----------
+        The NURBS Book, A12.1; lecture row S15.
+        """
+    def to_periodic(self, tolerance: float | None = None) -> Approximation[NurbsCurve]:
+        """Make a closed curve periodic, as smooth at its seam as it is within the tolerance.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance of the ends, a length; by default a few roundings.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The periodic curve and its error.
+
+        Raises
+        ------
+        InvalidShape
+            If the weights of the ends differ or an end lies at infinity.
+        ToleranceNotReached
+            If the ends are farther apart.
+
+        References
+        ----------
+        Lecture row S15.
+        """
+    def largest_distance(self, other: NurbsCurve) -> float:
+        """Bound the distance from another curve at equal parameters.
+
+        Parameters
+        ----------
+        other : NurbsCurve
+            A curve over the same domain.
+
+        Returns
+        -------
+        float
+            An upper bound, a length, at most 1 % above the truth; inf where one curve alone runs to
+            infinity.
+
+        Raises
+        ------
+        InvalidShape
+            If the domains differ.
+        """
+    def continuity(self, u: float, tolerance: float = 1e-8) -> Continuity:
+        """Measure the continuity at a parameter inside the domain.
+
+        Parameters
+        ----------
+        u : float
+            A parameter; a periodic curve takes any, modulo its period.
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        Continuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+        >>> corner.continuity(1.0).g, round(corner.continuity(1.0).angle, 6)
+        (0, 1.570796)
+        """
+    def joints(self, tolerance: float = 1e-8) -> list[tuple[float, Continuity]]:
+        """Measure the continuity at every inner knot, and at the seam of a closed curve.
+
+        Joints at infinity are left out.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        list of tuple (float, Continuity)
+            Pairs (parameter, continuity).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+        """
+    def finite_arcs(self, length: float) -> list[NurbsCurve]:
+        """Clip a curve that runs to infinity to a box around its finite control points.
+
+        Every arc is the curve itself on a part of its domain, with positive weights and no control point
+        farther outside than twice the length.
+
+        Parameters
+        ----------
+        length : float
+            How far the box reaches beyond the finite control points, in each coordinate.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The arcs in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S10, S11.
+        """
+    def moebius(self, rho: float) -> NurbsCurve:
+        """Change the parameter to t = rho u / ((1 - u) + rho u); domain and points stay, knots and weights
+        change.
+
+        A periodic curve becomes a plain one.
+
+        Parameters
+        ----------
+        rho : float
+            A positive number; 1 changes nothing.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve under another parameter.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lee and Lucian 1991; lecture row S12.
+        """
+    def standard_form(self) -> NurbsCurve:
+        """Change the parameter so that the weights of both ends are 1.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless both end weights have one sign and the curve is clamped.
+
+        References
+        ----------
+        Lecture row S12.
+        """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
-               cancel: _Cancel | None = None) -> float: ...
+               cancel: _Cancel | None = None) -> float:
+        """Measure the length between two parameters.
+
+        Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. On a periodic curve start
+        and end may be any numbers in order: turns are counted.
+
+        Parameters
+        ----------
+        start : float, optional
+            Where to begin; by default the start of the domain.
+        end : float, optional
+            Where to end; by default the end of the domain.
+        tolerance : float, default 1e-13
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The length, in units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start <= end, in the domain of a curve that is not periodic.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> round(arc.length(), 12), round(arc.length(0.0, 0.5), 12)
+        (1.570796326795, 0.785398163397)
+        """
     def parameter_at_length(
         self, s: ArrayLike, *, tolerance: float = 1e-10, cancel: _Cancel | None = None
-    ) -> _Floats: ...
-    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> _Floats:
+        """Find the parameters at given lengths from the start.
+
+        Parameters
+        ----------
+        s : array_like
+            Lengths (...,) from the start of the domain; a periodic curve takes any.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (...,).
+
+        Raises
+        ------
+        InvalidShape
+            If a length is below 0 or above that of the curve.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).parameter_at_length([1.0, 2.0]).round(9)
+        array([0.25, 0.5 ])
+        """
+    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve into parts of equal length.
+
+        Parameters
+        ----------
+        count : int
+            How many parts, 1 to 2^22.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (count + 1,) with both ends; (count,) where the curve closes.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is out of range or the curve has no length.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide(4).round(9)
+        array([0.  , 0.25, 0.5 , 0.75, 1.  ])
+        """
+    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve by steps of a given length from its start.
+
+        Parameters
+        ----------
+        step : float
+            Length of a step.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) at 0, step, 2 step, … up to the length of the curve, without the end of a
+            closed curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless step > 0, or if there are more than 2^22 steps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide_by_length(1.5).round(9)
+        array([0.   , 0.375, 0.75 ])
+        """
+    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the curvature |C' x C''| / |C'|³.
+
+        Where C' falls to zero it is the limit, inf at a sharp cusp; NaN where the curve is a point.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S15, S16.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.curvature([0.0, 0.5]).round(12)
+        array([0.5, 0.5])
+        """
     def signed_curvature(
         self, u: ArrayLike, normal: ArrayLike | None = None, *, side: _Side = "right",
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Measure the curvature of a plane curve, positive where it bends to its left.
+
+        Of a curve that is not plane it is the part of the curvature about the normal. Limits as of
+        `curvature`.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        normal : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane, towards +z.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If no normal is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.reversed().signed_curvature([0.0, 0.5]).round(12)
+        array([-0.5, -0.5])
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the curve to each of several points.
+
+        The global minimum: ends, corners and gaps are included. Of several places at one distance the one
+        with the smallest parameter is taken. Where the curve passes through infinity its finite part counts.
+        A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters, points and distances, right to a few roundings of the size of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> found = line.nearest([(1, 3), (9, 0)])
+        >>> found.parameters, found.distances
+        (array([0.25, 1.  ]), array([3., 5.]))
+        """
     def intersections(
         self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets another one.
+
+        Places where the distance of both is least and within the tolerance, ends included, and stretches that
+        both have in common.
+
+        Parameters
+        ----------
+        other : curve
+            A curve of any kind.
+        tolerance : float, optional
+            The largest distance of both curves, a length; by default 2^-33 of the extent of the control
+            points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places in the order of the parameters of this curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^22 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (2, 2)])
+        >>> b = sc.BezierCurve([(0, 2), (2, 0)])
+        >>> a.intersections(b).points.round(9)
+        array([[1., 1., 0.]])
+        """
     def self_intersections(
         self, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets itself.
+
+        Places next to each other along the curve, as at a cusp, and the seam of a closed curve do not count.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places as of `intersections`: the first parameter is the smaller one.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a patch.
+
+        Places where the distance of both is least and within the tolerance, ends of the curve included, and
+        stretches that lie on the patch.
+
+        Parameters
+        ----------
+        patch : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of both, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places in the order of the parameters of the curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^20 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0.5, 0.5, -1), (0.5, 0.5, 1)])
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> line.patch_intersections(plane).parameters.round(9)
+        array([[0.5, 0.5, 0.5]])
+        """
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
-    def part(self, start: float, end: float) -> NurbsCurve: ...
-    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
-    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
-    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a plane.
+
+        Parameters on the plane are its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places and stretches, as of `patch_intersections`.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0, -1), (0, 0, 3)])
+        >>> curve.plane_intersections((0, 0, 0), (0, 0, 1)).parameters[:, 0].round(9)
+        array([0.25])
+        """
+    def part(self, start: float, end: float) -> NurbsCurve:
+        """Cut out the part between two parameters, over that part of the domain.
+
+        Parameters
+        ----------
+        start : float
+            Where to begin.
+        end : float
+            Where to end; on a closed curve up to a turn behind the start.
+
+        Returns
+        -------
+        NurbsCurve
+            The part.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start < end in the domain, or over the seam of a closed curve.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).part(0.25, 0.75).domain
+        (0.25, 0.75)
+        """
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]:
+        """Cut the curve at several parameters.
+
+        The ends of an open curve cut nothing. The last part of a closed curve continues over the seam.
+
+        Parameters
+        ----------
+        parameters : array_like
+            Parameters (n,) in the domain.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> [round(part.length(), 9) for part in sc.BezierCurve([(0, 0), (4, 0)]).parts([0.25, 0.5])]
+        [1.0, 1.0, 2.0]
+        """
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Cut the curve where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Remove the part of the curve about a parameter, between where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : float
+            A parameter of the part that is removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            One or two curves.
+
+        Raises
+        ------
+        InvalidShape
+            If they do not meet, or a closed curve meets them in one place alone.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
-    ) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end by a length.
+
+        Parameters stay, the domain grows.
+
+        Parameters
+        ----------
+        length : float
+            How far, above 0.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            By the polynomials of the last span ('natural'), along the circle of curvature ('arc'), or
+            along the tangent ('straight').
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is closed or has a zero derivative at its end, an arc would exceed its circle, or
+            the curve runs to infinity before that length.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (4, 0)]).extended(1.0).length(), 9)
+        5.0
+        """
     def extended_to(
         self,
         others: Sequence[_Curve],
@@ -530,9 +2021,95 @@ class NurbsCurve:
         how: _Extension = "natural",
         *,
         cancel: _Cancel | None = None,
-    ) -> NurbsCurve: ...
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end to where it first meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            As of `extended`.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it meets none of them within four times the size of all, or as of `extended`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by an arc that touches both sides.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the arcs, above 0.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with arcs, at the seam of a closed curve too.
+
+        Raises
+        ------
+        InvalidShape
+            If no such arc fits between the neighbors of a corner, or the curve turns back or is not plane
+            there.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
+        6.0
+        """
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by a line.
+
+        Parameters
+        ----------
+        length : float
+            How far the line begins before the corner and ends behind it, measured along the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with lines.
+
+        Raises
+        ------
+        InvalidShape
+            If a corner has no room for it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def offset(
         self,
         distance: float,
@@ -542,14 +2119,151 @@ class NurbsCurve:
         corner: Literal["round", "sharp"] = "round",
         trimmed: bool = False,
         cancel: _Cancel | None = None,
-    ) -> list[NurbsCurve]: ...
+    ) -> list[NurbsCurve]:
+        """Offset a plane curve to its left.
+
+        Lines and arcs of circles are moved exactly; other spans become cubics within the tolerance.
+
+        Parameters
+        ----------
+        distance : float
+            How far, to the left seen against the normal, to the right where it is negative.
+        normal : array_like, default (0, 0, 1)
+            Normal (3,) of the plane of the curve.
+        tolerance : float, optional
+            The largest error, a length; by default 2^-20 of the size.
+        corner : {'round', 'sharp'}, default 'round'
+            At corners an arc, or the corner of both tangents up to four times the distance away.
+        trimmed : bool, default False
+            Whether parts that are nearer to the curve than the distance are removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The offset; several curves where the curve has gaps or the offset is trimmed.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is not in a plane with that normal, the distance is zero or not finite, or
+            nothing is left.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Tiller and Hanson 1984; lecture row S18.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> round(circle.offset(0.5)[0].length() / (2 * np.pi), 9)      # inwards
+        1.5
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point, the ends of the curve and of its pieces, and
+        corners where the distance is a minimum or a maximum.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of their parameters, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where the distance is constant, as from the
+            center of a circle.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lane and Riesenfeld 1981; lecture row S15.
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n,).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where the distance is constant.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+        """
     def rebuild(
         self,
         count: SupportsIndex | None = None,
@@ -558,21 +2272,352 @@ class NurbsCurve:
         tolerance: float | None = None,
         ends: Literal["points", "tangents"] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsCurve]: ...
+    ) -> Approximation[NurbsCurve]:
+        """Approximate by a polynomial curve with even knots over the same domain.
+
+        It is nearest in the integral of the squared distance at equal parameters, and periodic if the curve
+        is.
+
+        Parameters
+        ----------
+        count : int, optional
+            Number of control points; with a tolerance the most.
+        degree : int, optional
+            Degree; by default that of the curve.
+        tolerance : float, optional
+            As few control points as come within it, a length.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is below the number that the degree needs.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S17.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> curve, error = arc.rebuild(degree=3, tolerance=1e-4)
+        >>> curve.is_rational, error <= 1e-4
+        (False, True)
+        """
     def fair(
         self, tolerance: float, *, ends: Literal["points", "tangents"] = "points", cancel: _Cancel | None = None
-    ) -> Approximation[NurbsCurve]: ...
-    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
-    def inflections(self, direction: ArrayLike | None = None) -> _Floats: ...
-    def extrema(self, direction: ArrayLike) -> _Floats: ...
-    def bounding_box(self) -> _Floats: ...
-    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float: ...
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
-    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> Approximation[NurbsCurve]:
+        """Smooth the curve within a tolerance.
+
+        Knots and weights stay; the integral of the squared second derivative becomes as small as the
+        tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and the degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Reinsch 1967; lecture row S17.
+        """
+    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
+
+        At an inflection or a cusp it is the limit; NaN on a straight line.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torsions (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).torsion(0.0).item()
+        3.0
+        """
+    def inflections(self, direction: ArrayLike | None = None) -> _Floats:
+        """Find the parameters where the curve begins to bend to the other side.
+
+        All sign changes of the signed curvature; the middle of a straight part between two bends. Corners do
+        not count.
+
+        Parameters
+        ----------
+        direction : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If no direction is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, -1), (3, 0)]).inflections().round(9)
+        array([0.5])
+        """
+    def extrema(self, direction: ArrayLike) -> _Floats:
+        """Find the parameters where the curve has an extremum along a direction.
+
+        All zeros of the derivative along it, both ends of a part at right angles to it, corners where it
+        changes sign, and the ends of the curve and of its pieces.
+
+        Parameters
+        ----------
+        direction : array_like
+            Vector (3,).
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If the direction is zero.
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).extrema((0, 1, 0))
+        array([0. , 0.5, 1. ])
+        """
+    def bounding_box(self) -> _Floats:
+        """Find the smallest box along the axes that contains the curve.
+
+        Not that of the control points: right to a few roundings of the largest coordinate.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).bounding_box().tolist()
+        [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0]]
+        """
+    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float:
+        """Measure the area inside a closed curve, positive where it lies to the left.
+
+        Parts enclosed twice count twice. For a curve that is not plane it is the area of its projection along
+        the normal. Exact, but for rounding, for polynomial curves.
+
+        Parameters
+        ----------
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+        tolerance : float, default 1e-12
+            The largest relative error for rational curves.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If the ends are apart by more than 1e-9 of the size or the curve is in several pieces.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
+        12.566370614
+        """
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
+        """Count how often a closed curve winds around a point, to the left.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (3,).
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+
+        Returns
+        -------
+        int
+            The winding number; 0 outside.
+
+        Raises
+        ------
+        InvalidShape
+            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
+        (1, 0)
+        """
+    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Evaluate tangent, normal and binormal of Frenet's frame.
+
+        Limits are taken where a derivative falls to zero. Normal and binormal are NaN where the curve is
+        straight.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> tangent, normal, binormal = arc.frenet_frame(0.0)
+        >>> normal.round(12).tolist()[0]
+        -1.0
+        """
     def frames(
         self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate frames of tangent, normal and binormal along the curve.
+
+        Rotation-minimizing frames turn around the tangent as little as possible, from the start of the
+        domain, to about 1e-9. Straight parts keep the frame; at a corner it turns as little as it can.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        kind : {'frenet', 'rotation_minimizing'}, default 'rotation_minimizing'
+            Rotation-minimizing frames, or those of `frenet_frame`.
+        start : array_like, optional
+            Vector (3,) along which the normal points at the start, as far as it is at right angles to the
+            curve; by default the normal there.
+        closed : bool, default False
+            Whether the turn of the frame at the end of a closed curve is taken back, evenly by length.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is a point; with 'frenet', where it is straight or has a zero derivative; with
+            `closed`, unless it closes smoothly.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If a span turns so wildly that 2^17 steps are not enough.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Wang, Jüttler, Zheng and Liu 2008; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0, 0), (2, 0, 0)])
+        >>> line.frames(0.5, start=(0, 0, 1)).tolist()
+        [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
+        """
     def dragged(
         self,
         u: float,
@@ -582,8 +2627,56 @@ class NurbsCurve:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> NurbsCurve: ...
-    def dumps(self) -> str: ...
+    ) -> NurbsCurve:
+        """Move the point at a parameter by moving the control points as little as possible.
+
+        The sum of squares of the motions is least, each divided by its factor. To bring the point to a place,
+        give place - evaluate(u). Weights, knots and points at infinity stay; ends that meet move together.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_by : array_like, optional
+            Vector (3,) added to the first derivative at u; zero keeps it, None leaves it free.
+        second_by : array_like, optional
+            The same for the second derivative; needs `tangent_by`.
+        factors : array_like, optional
+            Factors (n,) of how easily each control point moves; 0 holds it. 1 where none are given.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        NurbsCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        References
+        ----------
+        The NURBS Book, 11.5.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.dragged(0.5, (0, 1, 0)).evaluate(0.5).round(9)
+        array([1., 2., 0.])
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> NurbsCurve: ...
@@ -591,25 +2684,112 @@ class NurbsCurve:
 
 @final
 class BezierCurve:
-    """degree + 1 control points with weights over [0, 1]."""
+    """A Bezier curve over [0, 1].
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    points : array_like
+        Control points (degree + 1, 2 or 3), in any unit of length; two coordinates lie in the xy
+        plane.
+    weights : array_like, optional
+        Weights (degree + 1,), 1 where none are given; 0 makes a point a direction.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    The NURBS Book, chapter 1; lecture rows S6, S9, S11.
+
+    Examples
+    --------
+    >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+    >>> curve.degree, curve.domain
+    (2, (0.0, 1.0))
+    >>> curve.evaluate(0.5)
+    array([1., 1., 0.])
+    """
 
     def __init__(self, points: ArrayLike, weights: ArrayLike | None = None) -> None: ...
     @staticmethod
-    def from_homogeneous(points: ArrayLike) -> BezierCurve: ...
+    def from_homogeneous(points: ArrayLike) -> BezierCurve:
+        """Make a curve from homogeneous control points.
+
+        Parameters
+        ----------
+        points : array_like
+            Rows (degree + 1, 4) of wx, wy, wz, w; w = 0 makes a direction.
+
+        Returns
+        -------
+        BezierCurve
+            The curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
     @property
-    def domain(self) -> _Interval: ...
+    def domain(self) -> _Interval:
+        """First and last parameter (start, end)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Control points (n, 3) float64, as given, read-only."""
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity."""
     @property
-    def homogeneous_points(self) -> _Floats: ...
-    def with_points(self, points: ArrayLike) -> BezierCurve: ...
-    def with_weights(self, weights: ArrayLike) -> BezierCurve: ...
+    def homogeneous_points(self) -> _Floats:
+        """Rows (n, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large
+        for a number.
+        """
+    def with_points(self, points: ArrayLike) -> BezierCurve:
+        """Replace the control points, keep weights and knots.
+
+        Parameters
+        ----------
+        points : array_like
+            As many control points (n, 2 or 3).
+
+        Returns
+        -------
+        BezierCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def with_weights(self, weights: ArrayLike) -> BezierCurve:
+        """Replace the weights, keep control points and knots.
+
+        Parameters
+        ----------
+        weights : array_like
+            As many weights (n,).
+
+        Returns
+        -------
+        BezierCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -620,7 +2800,56 @@ class BezierCurve:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the curve.
+
+        A parameter has the same result in every bit in any batch and on any number of threads.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S6, S9, S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> arc.evaluate([0.0, 0.5, 1.0]).round(6)
+        array([[1.      , 0.      , 0.      ],
+               [0.707107, 0.707107, 0.      ],
+               [0.      , 1.      , 0.      ]])
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -631,66 +2860,1108 @@ class BezierCurve:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def pieces(self) -> list[_Interval]: ...
+    ) -> _Floats:
+        """Evaluate points and their derivatives by the parameter.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        order : int
+            Highest order of derivatives, 0 or more.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, 3): `[..., 0, :]` are the points of `evaluate`, in every bit.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.2.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.derivatives(0.5, 1)
+        array([[1., 1., 0.],
+               [2., 0., 0.]])
+        """
+    def pieces(self) -> list[_Interval]:
+        """Find the intervals on which the curve is finite and connected.
+
+        It is cut where the weight is zero and at knots of multiplicity degree + 1.
+
+        Returns
+        -------
+        list of tuple (float, float)
+            Intervals (start, end) in order.
+        """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
-    ) -> list[tuple[_Floats, bool]]: ...
-    def split(self, u: float) -> tuple[BezierCurve, BezierCurve]: ...
-    def transformed(self, matrix: ArrayLike) -> BezierCurve: ...
-    def translated(self, by: ArrayLike) -> BezierCurve: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierCurve: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierCurve: ...
-    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]: ...
-    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity: ...
+    ) -> list[tuple[_Floats, bool]]:
+        """Sample the curve evenly in its parameter, one polyline for each of `pieces`.
+
+        With a reach, a curve whose weights differ in sign ends where it leaves the box of its finite control
+        points by that length in a coordinate; without one, at its last sample before infinity.
+
+        Parameters
+        ----------
+        resolution : int
+            Steps in every span.
+        reach : float, optional
+            A length beyond the box of the control points at which a curve through infinity is cut.
+        around : array_like, optional
+            Points (n, 2 or 3) whose box stands for that of the control points; any curve is cut there.
+
+        Returns
+        -------
+        list of tuple (numpy.ndarray, bool)
+            Pairs (points (m, 3), whether the polyline is closed).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (2, 0)])
+        >>> points, closed = line.polylines(2)[0]
+        >>> points.tolist(), closed
+        ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], False)
+        """
+    def split(self, u: float) -> tuple[BezierCurve, BezierCurve]:
+        """Cut the curve at a parameter by de Casteljau's algorithm.
+
+        Parameters
+        ----------
+        u : float
+            A parameter inside the domain.
+
+        Returns
+        -------
+        tuple (BezierCurve, BezierCurve)
+            (before, after), each over [0, 1].
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def transformed(self, matrix: ArrayLike) -> BezierCurve:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        BezierCurve
+            The image of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S15.
+
+        Examples
+        --------
+        >>> line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> line.transformed([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0]]).points.tolist()
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]
+        """
+    def translated(self, by: ArrayLike) -> BezierCurve:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        BezierCurve
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierCurve:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        BezierCurve
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierCurve:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        BezierCurve
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
+        """Append another curve of any kind.
+
+        Points next to the joint move as little as the continuity asks. For 'C1' and 'C2' the domain of the
+        other curve is scaled first.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        continuity : {'C0', 'G1', 'C1', 'C2'}, default 'C0'
+            The continuity wanted at the joint.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            Both as one curve, and the distance by which they moved, a length.
+
+        Raises
+        ------
+        InvalidShape
+            If a curve is periodic or an end lies at infinity.
+
+        References
+        ----------
+        Lecture row S7.
+
+        Examples
+        --------
+        >>> a = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> b = sc.NurbsCurve(1, [0, 0, 1, 1], [(1, 0), (1, 1)])
+        >>> joined, error = a.join(b)
+        >>> joined.domain, error
+        ((0.0, 2.0), 0.0)
+        """
+    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity:
+        """Measure the continuity between the end of this curve and the start of another one, of any kind.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        Continuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+        """
     @property
-    def is_closed(self) -> bool: ...
-    def reversed(self) -> BezierCurve: ...
-    def to_bezier(self) -> list[BezierCurve]: ...
-    def to_hermite(self) -> HermiteCurve: ...
-    def to_nurbs(self) -> NurbsCurve: ...
-    def to_power(self, origin: float = 0.0) -> PowerCurve: ...
-    def elevate(self, times: SupportsIndex = 1) -> BezierCurve: ...
-    def reduce(self, times: SupportsIndex = 1, tolerance: float | None = None) -> Approximation[BezierCurve]: ...
-    def flatten(self, tolerance: float) -> tuple[_Floats, _Floats]: ...
-    def finite_arcs(self, length: float) -> list[NurbsCurve]: ...
-    def moebius(self, rho: float) -> BezierCurve: ...
-    def standard_form(self) -> BezierCurve: ...
-    def casteljau_triangle(self, u: float) -> list[_Floats]: ...
-    def rational_casteljau_triangle(self, u: float) -> tuple[list[_Floats], tuple[int, int, str] | None]: ...
+    def is_closed(self) -> bool:
+        """Whether the curve is in one piece and ends exactly where it begins."""
+    def reversed(self) -> BezierCurve:
+        """Reverse the direction of the curve.
+
+        Returns
+        -------
+        BezierCurve
+            The same points in the opposite direction.
+        """
+    def to_bezier(self) -> list[BezierCurve]:
+        """Convert to Bezier curves, one for each span.
+
+        Returns
+        -------
+        list of BezierCurve
+            Bezier curves in order.
+
+        References
+        ----------
+        The NURBS Book, A5.6.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 1), (3, 0)])
+        >>> len(curve.to_bezier())
+        2
+        """
+    def to_hermite(self) -> HermiteCurve:
+        """Convert to a chain of cubics.
+
+        Returns
+        -------
+        HermiteCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, has a gap, or its degree is above 3.
+        """
+    def to_nurbs(self) -> NurbsCurve:
+        """Convert to a NURBS curve.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).to_nurbs().knots
+        array([0., 0., 0., 1., 1., 1.])
+        """
+    def to_power(self, origin: float = 0.0) -> PowerCurve:
+        """Convert to powers of t - origin.
+
+        Exact but for rounding of the coefficients, which cancel: relative to the points that costs 1e-15 at
+        degree 10 about the middle 0.5, 1e-12 about an end and 1e-2 about 10; at degree 20 1e-14, 1e-8 and all
+        digits.
+
+        Parameters
+        ----------
+        origin : float, default 0.0
+            The parameter at which the powers are zero.
+
+        Returns
+        -------
+        PowerCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a coefficient overflows.
+
+        References
+        ----------
+        Lecture row S2.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).to_power().coefficients
+        array([[ 0.,  0.,  0.],
+               [ 2.,  4.,  0.],
+               [ 0., -4.,  0.]])
+        """
+    def elevate(self, times: SupportsIndex = 1) -> BezierCurve:
+        """Raise the degree without changing the curve.
+
+        Parameters
+        ----------
+        times : int, default 1
+            By how much.
+
+        Returns
+        -------
+        BezierCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If `times` is below 0 or the degree would exceed 255.
+
+        References
+        ----------
+        The NURBS Book, eq. 5.36; lecture row S6.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (2, 0)]).elevate().points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
+        """
+    def reduce(self, times: SupportsIndex = 1, tolerance: float | None = None) -> Approximation[BezierCurve]:
+        """Lower the degree, with the same ends.
+
+        Each step takes the nearest such curve, by the constrained Chebyshev polynomial.
+
+        Parameters
+        ----------
+        times : int, default 1
+            By how much.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of BezierCurve
+            The new curve and its error: exact for one step on a polynomial curve, otherwise an upper
+            bound.
+
+        Raises
+        ------
+        InvalidShape
+            If the weights have different signs.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        Lachance 1988; lecture row S6.
+
+        Examples
+        --------
+        >>> curve, error = sc.BezierCurve([(0, 0), (1, 1), (2, 0)]).reduce()
+        >>> curve.degree, round(error, 9)
+        (1, 0.5)
+        """
+    def flatten(self, tolerance: float) -> tuple[_Floats, _Floats]:
+        """Approximate the curve by a polyline within a tolerance.
+
+        Parts are halved until their hulls are flat enough, which also holds for rational curves.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest error allowed, a length in units of the points.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Parameters (m,) and points (m, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If 2^18 points do not reach the tolerance.
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S6.
+
+        Examples
+        --------
+        >>> parameters, points = sc.BezierCurve([(0, 0), (1, 1), (2, 0)]).flatten(0.2)
+        >>> parameters
+        array([0.  , 0.25, 0.5 , 0.75, 1.  ])
+        """
+    def finite_arcs(self, length: float) -> list[NurbsCurve]:
+        """Clip a curve that runs to infinity to a box around its finite control points.
+
+        Every arc is the curve itself on a part of its domain, with positive weights and no control point
+        farther outside than twice the length.
+
+        Parameters
+        ----------
+        length : float
+            How far the box reaches beyond the finite control points, in each coordinate.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The arcs in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S10, S11.
+        """
+    def moebius(self, rho: float) -> BezierCurve:
+        """Change the parameter to t = rho u / ((1 - u) + rho u): weights are multiplied by rho**i.
+
+        Parameters
+        ----------
+        rho : float
+            A positive number; 1 changes nothing.
+
+        Returns
+        -------
+        BezierCurve
+            The same curve under another parameter.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S12.
+        """
+    def standard_form(self) -> BezierCurve:
+        """Change the parameter so that the weights of both ends are 1.
+
+        Returns
+        -------
+        BezierCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless both end weights have one sign and the curve is clamped.
+
+        References
+        ----------
+        Lecture row S12.
+        """
+    def casteljau_triangle(self, u: float) -> list[_Floats]:
+        """All rows of de Casteljau's algorithm on homogeneous points.
+
+        Parameters
+        ----------
+        u : float
+            Any finite parameter; outside [0, 1] it extrapolates.
+
+        Returns
+        -------
+        list of numpy.ndarray
+            Arrays (k, 4) of wx, wy, wz, w for k = degree + 1, degree, …, 1.
+
+        Raises
+        ------
+        InvalidShape
+            If a number would be too large.
+
+        References
+        ----------
+        Lecture row S9.
+        """
+    def rational_casteljau_triangle(self, u: float) -> tuple[list[_Floats], tuple[int, int, str] | None]:
+        """All rows of the rational de Casteljau algorithm.
+
+        Parameters
+        ----------
+        u : float
+            Any finite parameter; outside [0, 1] it extrapolates.
+
+        Returns
+        -------
+        tuple (list of numpy.ndarray, tuple (int, int, str) or None)
+            Arrays (k, 4) of x, y, z, w, and None; or the rows before a division by zero or an overflow,
+            and (row, index, reason).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Farin 1983; lecture row S9.
+        """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
-               cancel: _Cancel | None = None) -> float: ...
+               cancel: _Cancel | None = None) -> float:
+        """Measure the length between two parameters.
+
+        Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. On a periodic curve start
+        and end may be any numbers in order: turns are counted.
+
+        Parameters
+        ----------
+        start : float, optional
+            Where to begin; by default the start of the domain.
+        end : float, optional
+            Where to end; by default the end of the domain.
+        tolerance : float, default 1e-13
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The length, in units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start <= end, in the domain of a curve that is not periodic.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> round(arc.length(), 12), round(arc.length(0.0, 0.5), 12)
+        (1.570796326795, 0.785398163397)
+        """
     def parameter_at_length(
         self, s: ArrayLike, *, tolerance: float = 1e-10, cancel: _Cancel | None = None
-    ) -> _Floats: ...
-    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> _Floats:
+        """Find the parameters at given lengths from the start.
+
+        Parameters
+        ----------
+        s : array_like
+            Lengths (...,) from the start of the domain; a periodic curve takes any.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (...,).
+
+        Raises
+        ------
+        InvalidShape
+            If a length is below 0 or above that of the curve.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).parameter_at_length([1.0, 2.0]).round(9)
+        array([0.25, 0.5 ])
+        """
+    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve into parts of equal length.
+
+        Parameters
+        ----------
+        count : int
+            How many parts, 1 to 2^22.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (count + 1,) with both ends; (count,) where the curve closes.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is out of range or the curve has no length.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide(4).round(9)
+        array([0.  , 0.25, 0.5 , 0.75, 1.  ])
+        """
+    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve by steps of a given length from its start.
+
+        Parameters
+        ----------
+        step : float
+            Length of a step.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) at 0, step, 2 step, … up to the length of the curve, without the end of a
+            closed curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless step > 0, or if there are more than 2^22 steps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide_by_length(1.5).round(9)
+        array([0.   , 0.375, 0.75 ])
+        """
+    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the curvature |C' x C''| / |C'|³.
+
+        Where C' falls to zero it is the limit, inf at a sharp cusp; NaN where the curve is a point.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S15, S16.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.curvature([0.0, 0.5]).round(12)
+        array([0.5, 0.5])
+        """
     def signed_curvature(
         self, u: ArrayLike, normal: ArrayLike | None = None, *, side: _Side = "right",
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Measure the curvature of a plane curve, positive where it bends to its left.
+
+        Of a curve that is not plane it is the part of the curvature about the normal. Limits as of
+        `curvature`.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        normal : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane, towards +z.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If no normal is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.reversed().signed_curvature([0.0, 0.5]).round(12)
+        array([-0.5, -0.5])
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the curve to each of several points.
+
+        The global minimum: ends, corners and gaps are included. Of several places at one distance the one
+        with the smallest parameter is taken. Where the curve passes through infinity its finite part counts.
+        A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters, points and distances, right to a few roundings of the size of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> found = line.nearest([(1, 3), (9, 0)])
+        >>> found.parameters, found.distances
+        (array([0.25, 1.  ]), array([3., 5.]))
+        """
     def intersections(
         self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets another one.
+
+        Places where the distance of both is least and within the tolerance, ends included, and stretches that
+        both have in common.
+
+        Parameters
+        ----------
+        other : curve
+            A curve of any kind.
+        tolerance : float, optional
+            The largest distance of both curves, a length; by default 2^-33 of the extent of the control
+            points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places in the order of the parameters of this curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^22 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (2, 2)])
+        >>> b = sc.BezierCurve([(0, 2), (2, 0)])
+        >>> a.intersections(b).points.round(9)
+        array([[1., 1., 0.]])
+        """
     def self_intersections(
         self, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets itself.
+
+        Places next to each other along the curve, as at a cusp, and the seam of a closed curve do not count.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places as of `intersections`: the first parameter is the smaller one.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a patch.
+
+        Places where the distance of both is least and within the tolerance, ends of the curve included, and
+        stretches that lie on the patch.
+
+        Parameters
+        ----------
+        patch : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of both, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places in the order of the parameters of the curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^20 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0.5, 0.5, -1), (0.5, 0.5, 1)])
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> line.patch_intersections(plane).parameters.round(9)
+        array([[0.5, 0.5, 0.5]])
+        """
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
-    def part(self, start: float, end: float) -> NurbsCurve: ...
-    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
-    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
-    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a plane.
+
+        Parameters on the plane are its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places and stretches, as of `patch_intersections`.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0, -1), (0, 0, 3)])
+        >>> curve.plane_intersections((0, 0, 0), (0, 0, 1)).parameters[:, 0].round(9)
+        array([0.25])
+        """
+    def part(self, start: float, end: float) -> NurbsCurve:
+        """Cut out the part between two parameters, over that part of the domain.
+
+        Parameters
+        ----------
+        start : float
+            Where to begin.
+        end : float
+            Where to end; on a closed curve up to a turn behind the start.
+
+        Returns
+        -------
+        NurbsCurve
+            The part.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start < end in the domain, or over the seam of a closed curve.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).part(0.25, 0.75).domain
+        (0.25, 0.75)
+        """
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]:
+        """Cut the curve at several parameters.
+
+        The ends of an open curve cut nothing. The last part of a closed curve continues over the seam.
+
+        Parameters
+        ----------
+        parameters : array_like
+            Parameters (n,) in the domain.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> [round(part.length(), 9) for part in sc.BezierCurve([(0, 0), (4, 0)]).parts([0.25, 0.5])]
+        [1.0, 1.0, 2.0]
+        """
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Cut the curve where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Remove the part of the curve about a parameter, between where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : float
+            A parameter of the part that is removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            One or two curves.
+
+        Raises
+        ------
+        InvalidShape
+            If they do not meet, or a closed curve meets them in one place alone.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
-    ) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end by a length.
+
+        Parameters stay, the domain grows.
+
+        Parameters
+        ----------
+        length : float
+            How far, above 0.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            By the polynomials of the last span ('natural'), along the circle of curvature ('arc'), or
+            along the tangent ('straight').
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is closed or has a zero derivative at its end, an arc would exceed its circle, or
+            the curve runs to infinity before that length.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (4, 0)]).extended(1.0).length(), 9)
+        5.0
+        """
     def extended_to(
         self,
         others: Sequence[_Curve],
@@ -698,9 +3969,95 @@ class BezierCurve:
         how: _Extension = "natural",
         *,
         cancel: _Cancel | None = None,
-    ) -> NurbsCurve: ...
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end to where it first meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            As of `extended`.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it meets none of them within four times the size of all, or as of `extended`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by an arc that touches both sides.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the arcs, above 0.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with arcs, at the seam of a closed curve too.
+
+        Raises
+        ------
+        InvalidShape
+            If no such arc fits between the neighbors of a corner, or the curve turns back or is not plane
+            there.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
+        6.0
+        """
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by a line.
+
+        Parameters
+        ----------
+        length : float
+            How far the line begins before the corner and ends behind it, measured along the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with lines.
+
+        Raises
+        ------
+        InvalidShape
+            If a corner has no room for it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def offset(
         self,
         distance: float,
@@ -710,14 +4067,151 @@ class BezierCurve:
         corner: Literal["round", "sharp"] = "round",
         trimmed: bool = False,
         cancel: _Cancel | None = None,
-    ) -> list[NurbsCurve]: ...
+    ) -> list[NurbsCurve]:
+        """Offset a plane curve to its left.
+
+        Lines and arcs of circles are moved exactly; other spans become cubics within the tolerance.
+
+        Parameters
+        ----------
+        distance : float
+            How far, to the left seen against the normal, to the right where it is negative.
+        normal : array_like, default (0, 0, 1)
+            Normal (3,) of the plane of the curve.
+        tolerance : float, optional
+            The largest error, a length; by default 2^-20 of the size.
+        corner : {'round', 'sharp'}, default 'round'
+            At corners an arc, or the corner of both tangents up to four times the distance away.
+        trimmed : bool, default False
+            Whether parts that are nearer to the curve than the distance are removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The offset; several curves where the curve has gaps or the offset is trimmed.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is not in a plane with that normal, the distance is zero or not finite, or
+            nothing is left.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Tiller and Hanson 1984; lecture row S18.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> round(circle.offset(0.5)[0].length() / (2 * np.pi), 9)      # inwards
+        1.5
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point, the ends of the curve and of its pieces, and
+        corners where the distance is a minimum or a maximum.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of their parameters, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where the distance is constant, as from the
+            center of a circle.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lane and Riesenfeld 1981; lecture row S15.
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n,).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where the distance is constant.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+        """
     def rebuild(
         self,
         count: SupportsIndex | None = None,
@@ -726,21 +4220,352 @@ class BezierCurve:
         tolerance: float | None = None,
         ends: Literal["points", "tangents"] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsCurve]: ...
+    ) -> Approximation[NurbsCurve]:
+        """Approximate by a polynomial curve with even knots over the same domain.
+
+        It is nearest in the integral of the squared distance at equal parameters, and periodic if the curve
+        is.
+
+        Parameters
+        ----------
+        count : int, optional
+            Number of control points; with a tolerance the most.
+        degree : int, optional
+            Degree; by default that of the curve.
+        tolerance : float, optional
+            As few control points as come within it, a length.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is below the number that the degree needs.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S17.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> curve, error = arc.rebuild(degree=3, tolerance=1e-4)
+        >>> curve.is_rational, error <= 1e-4
+        (False, True)
+        """
     def fair(
         self, tolerance: float, *, ends: Literal["points", "tangents"] = "points", cancel: _Cancel | None = None
-    ) -> Approximation[NurbsCurve]: ...
-    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
-    def inflections(self, direction: ArrayLike | None = None) -> _Floats: ...
-    def extrema(self, direction: ArrayLike) -> _Floats: ...
-    def bounding_box(self) -> _Floats: ...
-    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float: ...
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
-    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> Approximation[NurbsCurve]:
+        """Smooth the curve within a tolerance.
+
+        Knots and weights stay; the integral of the squared second derivative becomes as small as the
+        tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and the degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Reinsch 1967; lecture row S17.
+        """
+    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
+
+        At an inflection or a cusp it is the limit; NaN on a straight line.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torsions (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).torsion(0.0).item()
+        3.0
+        """
+    def inflections(self, direction: ArrayLike | None = None) -> _Floats:
+        """Find the parameters where the curve begins to bend to the other side.
+
+        All sign changes of the signed curvature; the middle of a straight part between two bends. Corners do
+        not count.
+
+        Parameters
+        ----------
+        direction : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If no direction is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, -1), (3, 0)]).inflections().round(9)
+        array([0.5])
+        """
+    def extrema(self, direction: ArrayLike) -> _Floats:
+        """Find the parameters where the curve has an extremum along a direction.
+
+        All zeros of the derivative along it, both ends of a part at right angles to it, corners where it
+        changes sign, and the ends of the curve and of its pieces.
+
+        Parameters
+        ----------
+        direction : array_like
+            Vector (3,).
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If the direction is zero.
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).extrema((0, 1, 0))
+        array([0. , 0.5, 1. ])
+        """
+    def bounding_box(self) -> _Floats:
+        """Find the smallest box along the axes that contains the curve.
+
+        Not that of the control points: right to a few roundings of the largest coordinate.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).bounding_box().tolist()
+        [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0]]
+        """
+    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float:
+        """Measure the area inside a closed curve, positive where it lies to the left.
+
+        Parts enclosed twice count twice. For a curve that is not plane it is the area of its projection along
+        the normal. Exact, but for rounding, for polynomial curves.
+
+        Parameters
+        ----------
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+        tolerance : float, default 1e-12
+            The largest relative error for rational curves.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If the ends are apart by more than 1e-9 of the size or the curve is in several pieces.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
+        12.566370614
+        """
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
+        """Count how often a closed curve winds around a point, to the left.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (3,).
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+
+        Returns
+        -------
+        int
+            The winding number; 0 outside.
+
+        Raises
+        ------
+        InvalidShape
+            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
+        (1, 0)
+        """
+    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Evaluate tangent, normal and binormal of Frenet's frame.
+
+        Limits are taken where a derivative falls to zero. Normal and binormal are NaN where the curve is
+        straight.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> tangent, normal, binormal = arc.frenet_frame(0.0)
+        >>> normal.round(12).tolist()[0]
+        -1.0
+        """
     def frames(
         self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate frames of tangent, normal and binormal along the curve.
+
+        Rotation-minimizing frames turn around the tangent as little as possible, from the start of the
+        domain, to about 1e-9. Straight parts keep the frame; at a corner it turns as little as it can.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        kind : {'frenet', 'rotation_minimizing'}, default 'rotation_minimizing'
+            Rotation-minimizing frames, or those of `frenet_frame`.
+        start : array_like, optional
+            Vector (3,) along which the normal points at the start, as far as it is at right angles to the
+            curve; by default the normal there.
+        closed : bool, default False
+            Whether the turn of the frame at the end of a closed curve is taken back, evenly by length.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is a point; with 'frenet', where it is straight or has a zero derivative; with
+            `closed`, unless it closes smoothly.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If a span turns so wildly that 2^17 steps are not enough.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Wang, Jüttler, Zheng and Liu 2008; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0, 0), (2, 0, 0)])
+        >>> line.frames(0.5, start=(0, 0, 1)).tolist()
+        [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
+        """
     def dragged(
         self,
         u: float,
@@ -750,8 +4575,56 @@ class BezierCurve:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> BezierCurve: ...
-    def dumps(self) -> str: ...
+    ) -> BezierCurve:
+        """Move the point at a parameter by moving the control points as little as possible.
+
+        The sum of squares of the motions is least, each divided by its factor. To bring the point to a place,
+        give place - evaluate(u). Weights, knots and points at infinity stay; ends that meet move together.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_by : array_like, optional
+            Vector (3,) added to the first derivative at u; zero keeps it, None leaves it free.
+        second_by : array_like, optional
+            The same for the second derivative; needs `tangent_by`.
+        factors : array_like, optional
+            Factors (n,) of how easily each control point moves; 0 holds it. 1 where none are given.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        BezierCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        References
+        ----------
+        The NURBS Book, 11.5.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.dragged(0.5, (0, 1, 0)).evaluate(0.5).round(9)
+        array([1., 2., 0.])
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> BezierCurve: ...
@@ -759,23 +4632,56 @@ class BezierCurve:
 
 @final
 class HermiteCurve:
-    """A chain of cubics through points with given derivatives."""
+    """A chain of cubics through points with given derivatives.
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    points : array_like
+        Points (n, 2 or 3), in any unit of length.
+    tangents : array_like
+        Derivatives by the parameter: (n, 2 or 3), or (n, 2, 3) for incoming and outgoing ones.
+    parameters : array_like, optional
+        Increasing parameters (n,); 0, 1, 2, … where none are given.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S4.
+
+    Examples
+    --------
+    >>> curve = sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)])
+    >>> curve.evaluate(0.5)
+    array([0.5, 0. , 0. ])
+    """
 
     def __init__(
         self, points: ArrayLike, tangents: ArrayLike, parameters: ArrayLike | None = None
     ) -> None: ...
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
     @property
-    def domain(self) -> _Interval: ...
+    def domain(self) -> _Interval:
+        """First and last parameter (start, end)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (n, 3) float64, read-only."""
     @property
-    def tangents(self) -> _Floats: ...
+    def tangents(self) -> _Floats:
+        """Derivatives (n, 2, 3) float64, incoming and outgoing, read-only."""
     @property
-    def parameters(self) -> _Floats: ...
+    def parameters(self) -> _Floats:
+        """Parameters (n,) float64 of the points, read-only."""
     def evaluate(
         self,
         u: ArrayLike,
@@ -786,7 +4692,56 @@ class HermiteCurve:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the curve.
+
+        A parameter has the same result in every bit in any batch and on any number of threads.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S6, S9, S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> arc.evaluate([0.0, 0.5, 1.0]).round(6)
+        array([[1.      , 0.      , 0.      ],
+               [0.707107, 0.707107, 0.      ],
+               [0.      , 1.      , 0.      ]])
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -797,58 +4752,881 @@ class HermiteCurve:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def pieces(self) -> list[_Interval]: ...
+    ) -> _Floats:
+        """Evaluate points and their derivatives by the parameter.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        order : int
+            Highest order of derivatives, 0 or more.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, 3): `[..., 0, :]` are the points of `evaluate`, in every bit.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.2.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.derivatives(0.5, 1)
+        array([[1., 1., 0.],
+               [2., 0., 0.]])
+        """
+    def pieces(self) -> list[_Interval]:
+        """Find the intervals on which the curve is finite and connected.
+
+        It is cut where the weight is zero and at knots of multiplicity degree + 1.
+
+        Returns
+        -------
+        list of tuple (float, float)
+            Intervals (start, end) in order.
+        """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
-    ) -> list[tuple[_Floats, bool]]: ...
-    def split(self, u: float) -> tuple[HermiteCurve, HermiteCurve]: ...
-    def transformed(self, matrix: ArrayLike) -> HermiteCurve: ...
-    def translated(self, by: ArrayLike) -> HermiteCurve: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermiteCurve: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermiteCurve: ...
-    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]: ...
-    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity: ...
+    ) -> list[tuple[_Floats, bool]]:
+        """Sample the curve evenly in its parameter, one polyline for each of `pieces`.
+
+        With a reach, a curve whose weights differ in sign ends where it leaves the box of its finite control
+        points by that length in a coordinate; without one, at its last sample before infinity.
+
+        Parameters
+        ----------
+        resolution : int
+            Steps in every span.
+        reach : float, optional
+            A length beyond the box of the control points at which a curve through infinity is cut.
+        around : array_like, optional
+            Points (n, 2 or 3) whose box stands for that of the control points; any curve is cut there.
+
+        Returns
+        -------
+        list of tuple (numpy.ndarray, bool)
+            Pairs (points (m, 3), whether the polyline is closed).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (2, 0)])
+        >>> points, closed = line.polylines(2)[0]
+        >>> points.tolist(), closed
+        ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], False)
+        """
+    def split(self, u: float) -> tuple[HermiteCurve, HermiteCurve]:
+        """Cut the curve at a parameter.
+
+        Parameters
+        ----------
+        u : float
+            A parameter inside the domain.
+
+        Returns
+        -------
+        tuple (HermiteCurve, HermiteCurve)
+            (before, after), each on its part of the domain.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def transformed(self, matrix: ArrayLike) -> HermiteCurve:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        HermiteCurve
+            The image of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S15.
+
+        Examples
+        --------
+        >>> line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> line.transformed([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0]]).points.tolist()
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]
+        """
+    def translated(self, by: ArrayLike) -> HermiteCurve:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        HermiteCurve
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermiteCurve:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        HermiteCurve
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermiteCurve:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        HermiteCurve
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
+        """Append another curve of any kind.
+
+        Points next to the joint move as little as the continuity asks. For 'C1' and 'C2' the domain of the
+        other curve is scaled first.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        continuity : {'C0', 'G1', 'C1', 'C2'}, default 'C0'
+            The continuity wanted at the joint.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            Both as one curve, and the distance by which they moved, a length.
+
+        Raises
+        ------
+        InvalidShape
+            If a curve is periodic or an end lies at infinity.
+
+        References
+        ----------
+        Lecture row S7.
+
+        Examples
+        --------
+        >>> a = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> b = sc.NurbsCurve(1, [0, 0, 1, 1], [(1, 0), (1, 1)])
+        >>> joined, error = a.join(b)
+        >>> joined.domain, error
+        ((0.0, 2.0), 0.0)
+        """
+    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity:
+        """Measure the continuity between the end of this curve and the start of another one, of any kind.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        Continuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+        """
     @property
-    def is_closed(self) -> bool: ...
-    def reversed(self) -> HermiteCurve: ...
-    def to_bezier(self) -> list[BezierCurve]: ...
-    def to_hermite(self) -> HermiteCurve: ...
-    def to_nurbs(self) -> NurbsCurve: ...
-    def to_power(self) -> list[PowerCurve]: ...
+    def is_closed(self) -> bool:
+        """Whether the curve is in one piece and ends exactly where it begins."""
+    def reversed(self) -> HermiteCurve:
+        """Reverse the direction of the curve over the same domain.
+
+        Over [-end, -start] where rounding of start + end - u would spoil short spans far from zero.
+
+        Returns
+        -------
+        HermiteCurve
+            The same points in the opposite direction.
+        """
+    def to_bezier(self) -> list[BezierCurve]:
+        """Convert to Bezier curves, one for each span.
+
+        Returns
+        -------
+        list of BezierCurve
+            Bezier curves in order.
+
+        References
+        ----------
+        The NURBS Book, A5.6.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 1), (3, 0)])
+        >>> len(curve.to_bezier())
+        2
+        """
+    def to_hermite(self) -> HermiteCurve:
+        """Convert to a chain of cubics.
+
+        Returns
+        -------
+        HermiteCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, has a gap, or its degree is above 3.
+        """
+    def to_nurbs(self) -> NurbsCurve:
+        """Convert to a cubic NURBS curve with triple knots.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+        """
+    def to_power(self) -> list[PowerCurve]:
+        """Convert to powers of the parameter, one curve for each span.
+
+        Returns
+        -------
+        list of PowerCurve
+            Curves in order, in powers of the parameter from the start of each span.
+
+        References
+        ----------
+        Lecture row S2.
+        """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
-               cancel: _Cancel | None = None) -> float: ...
+               cancel: _Cancel | None = None) -> float:
+        """Measure the length between two parameters.
+
+        Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. On a periodic curve start
+        and end may be any numbers in order: turns are counted.
+
+        Parameters
+        ----------
+        start : float, optional
+            Where to begin; by default the start of the domain.
+        end : float, optional
+            Where to end; by default the end of the domain.
+        tolerance : float, default 1e-13
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The length, in units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start <= end, in the domain of a curve that is not periodic.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> round(arc.length(), 12), round(arc.length(0.0, 0.5), 12)
+        (1.570796326795, 0.785398163397)
+        """
     def parameter_at_length(
         self, s: ArrayLike, *, tolerance: float = 1e-10, cancel: _Cancel | None = None
-    ) -> _Floats: ...
-    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> _Floats:
+        """Find the parameters at given lengths from the start.
+
+        Parameters
+        ----------
+        s : array_like
+            Lengths (...,) from the start of the domain; a periodic curve takes any.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (...,).
+
+        Raises
+        ------
+        InvalidShape
+            If a length is below 0 or above that of the curve.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).parameter_at_length([1.0, 2.0]).round(9)
+        array([0.25, 0.5 ])
+        """
+    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve into parts of equal length.
+
+        Parameters
+        ----------
+        count : int
+            How many parts, 1 to 2^22.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (count + 1,) with both ends; (count,) where the curve closes.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is out of range or the curve has no length.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide(4).round(9)
+        array([0.  , 0.25, 0.5 , 0.75, 1.  ])
+        """
+    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve by steps of a given length from its start.
+
+        Parameters
+        ----------
+        step : float
+            Length of a step.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) at 0, step, 2 step, … up to the length of the curve, without the end of a
+            closed curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless step > 0, or if there are more than 2^22 steps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide_by_length(1.5).round(9)
+        array([0.   , 0.375, 0.75 ])
+        """
+    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the curvature |C' x C''| / |C'|³.
+
+        Where C' falls to zero it is the limit, inf at a sharp cusp; NaN where the curve is a point.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S15, S16.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.curvature([0.0, 0.5]).round(12)
+        array([0.5, 0.5])
+        """
     def signed_curvature(
         self, u: ArrayLike, normal: ArrayLike | None = None, *, side: _Side = "right",
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Measure the curvature of a plane curve, positive where it bends to its left.
+
+        Of a curve that is not plane it is the part of the curvature about the normal. Limits as of
+        `curvature`.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        normal : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane, towards +z.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If no normal is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.reversed().signed_curvature([0.0, 0.5]).round(12)
+        array([-0.5, -0.5])
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the curve to each of several points.
+
+        The global minimum: ends, corners and gaps are included. Of several places at one distance the one
+        with the smallest parameter is taken. Where the curve passes through infinity its finite part counts.
+        A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters, points and distances, right to a few roundings of the size of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> found = line.nearest([(1, 3), (9, 0)])
+        >>> found.parameters, found.distances
+        (array([0.25, 1.  ]), array([3., 5.]))
+        """
     def intersections(
         self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets another one.
+
+        Places where the distance of both is least and within the tolerance, ends included, and stretches that
+        both have in common.
+
+        Parameters
+        ----------
+        other : curve
+            A curve of any kind.
+        tolerance : float, optional
+            The largest distance of both curves, a length; by default 2^-33 of the extent of the control
+            points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places in the order of the parameters of this curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^22 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (2, 2)])
+        >>> b = sc.BezierCurve([(0, 2), (2, 0)])
+        >>> a.intersections(b).points.round(9)
+        array([[1., 1., 0.]])
+        """
     def self_intersections(
         self, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets itself.
+
+        Places next to each other along the curve, as at a cusp, and the seam of a closed curve do not count.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places as of `intersections`: the first parameter is the smaller one.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a patch.
+
+        Places where the distance of both is least and within the tolerance, ends of the curve included, and
+        stretches that lie on the patch.
+
+        Parameters
+        ----------
+        patch : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of both, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places in the order of the parameters of the curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^20 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0.5, 0.5, -1), (0.5, 0.5, 1)])
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> line.patch_intersections(plane).parameters.round(9)
+        array([[0.5, 0.5, 0.5]])
+        """
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
-    def part(self, start: float, end: float) -> NurbsCurve: ...
-    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
-    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
-    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a plane.
+
+        Parameters on the plane are its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places and stretches, as of `patch_intersections`.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0, -1), (0, 0, 3)])
+        >>> curve.plane_intersections((0, 0, 0), (0, 0, 1)).parameters[:, 0].round(9)
+        array([0.25])
+        """
+    def part(self, start: float, end: float) -> NurbsCurve:
+        """Cut out the part between two parameters, over that part of the domain.
+
+        Parameters
+        ----------
+        start : float
+            Where to begin.
+        end : float
+            Where to end; on a closed curve up to a turn behind the start.
+
+        Returns
+        -------
+        NurbsCurve
+            The part.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start < end in the domain, or over the seam of a closed curve.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).part(0.25, 0.75).domain
+        (0.25, 0.75)
+        """
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]:
+        """Cut the curve at several parameters.
+
+        The ends of an open curve cut nothing. The last part of a closed curve continues over the seam.
+
+        Parameters
+        ----------
+        parameters : array_like
+            Parameters (n,) in the domain.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> [round(part.length(), 9) for part in sc.BezierCurve([(0, 0), (4, 0)]).parts([0.25, 0.5])]
+        [1.0, 1.0, 2.0]
+        """
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Cut the curve where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Remove the part of the curve about a parameter, between where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : float
+            A parameter of the part that is removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            One or two curves.
+
+        Raises
+        ------
+        InvalidShape
+            If they do not meet, or a closed curve meets them in one place alone.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
-    ) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end by a length.
+
+        Parameters stay, the domain grows.
+
+        Parameters
+        ----------
+        length : float
+            How far, above 0.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            By the polynomials of the last span ('natural'), along the circle of curvature ('arc'), or
+            along the tangent ('straight').
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is closed or has a zero derivative at its end, an arc would exceed its circle, or
+            the curve runs to infinity before that length.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (4, 0)]).extended(1.0).length(), 9)
+        5.0
+        """
     def extended_to(
         self,
         others: Sequence[_Curve],
@@ -856,9 +5634,95 @@ class HermiteCurve:
         how: _Extension = "natural",
         *,
         cancel: _Cancel | None = None,
-    ) -> NurbsCurve: ...
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end to where it first meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            As of `extended`.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it meets none of them within four times the size of all, or as of `extended`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by an arc that touches both sides.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the arcs, above 0.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with arcs, at the seam of a closed curve too.
+
+        Raises
+        ------
+        InvalidShape
+            If no such arc fits between the neighbors of a corner, or the curve turns back or is not plane
+            there.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
+        6.0
+        """
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by a line.
+
+        Parameters
+        ----------
+        length : float
+            How far the line begins before the corner and ends behind it, measured along the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with lines.
+
+        Raises
+        ------
+        InvalidShape
+            If a corner has no room for it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def offset(
         self,
         distance: float,
@@ -868,14 +5732,151 @@ class HermiteCurve:
         corner: Literal["round", "sharp"] = "round",
         trimmed: bool = False,
         cancel: _Cancel | None = None,
-    ) -> list[NurbsCurve]: ...
+    ) -> list[NurbsCurve]:
+        """Offset a plane curve to its left.
+
+        Lines and arcs of circles are moved exactly; other spans become cubics within the tolerance.
+
+        Parameters
+        ----------
+        distance : float
+            How far, to the left seen against the normal, to the right where it is negative.
+        normal : array_like, default (0, 0, 1)
+            Normal (3,) of the plane of the curve.
+        tolerance : float, optional
+            The largest error, a length; by default 2^-20 of the size.
+        corner : {'round', 'sharp'}, default 'round'
+            At corners an arc, or the corner of both tangents up to four times the distance away.
+        trimmed : bool, default False
+            Whether parts that are nearer to the curve than the distance are removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The offset; several curves where the curve has gaps or the offset is trimmed.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is not in a plane with that normal, the distance is zero or not finite, or
+            nothing is left.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Tiller and Hanson 1984; lecture row S18.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> round(circle.offset(0.5)[0].length() / (2 * np.pi), 9)      # inwards
+        1.5
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point, the ends of the curve and of its pieces, and
+        corners where the distance is a minimum or a maximum.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of their parameters, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where the distance is constant, as from the
+            center of a circle.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lane and Riesenfeld 1981; lecture row S15.
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n,).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where the distance is constant.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+        """
     def rebuild(
         self,
         count: SupportsIndex | None = None,
@@ -884,21 +5885,352 @@ class HermiteCurve:
         tolerance: float | None = None,
         ends: Literal["points", "tangents"] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsCurve]: ...
+    ) -> Approximation[NurbsCurve]:
+        """Approximate by a polynomial curve with even knots over the same domain.
+
+        It is nearest in the integral of the squared distance at equal parameters, and periodic if the curve
+        is.
+
+        Parameters
+        ----------
+        count : int, optional
+            Number of control points; with a tolerance the most.
+        degree : int, optional
+            Degree; by default that of the curve.
+        tolerance : float, optional
+            As few control points as come within it, a length.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is below the number that the degree needs.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S17.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> curve, error = arc.rebuild(degree=3, tolerance=1e-4)
+        >>> curve.is_rational, error <= 1e-4
+        (False, True)
+        """
     def fair(
         self, tolerance: float, *, ends: Literal["points", "tangents"] = "points", cancel: _Cancel | None = None
-    ) -> Approximation[NurbsCurve]: ...
-    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
-    def inflections(self, direction: ArrayLike | None = None) -> _Floats: ...
-    def extrema(self, direction: ArrayLike) -> _Floats: ...
-    def bounding_box(self) -> _Floats: ...
-    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float: ...
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
-    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> Approximation[NurbsCurve]:
+        """Smooth the curve within a tolerance.
+
+        Knots and weights stay; the integral of the squared second derivative becomes as small as the
+        tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and the degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Reinsch 1967; lecture row S17.
+        """
+    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
+
+        At an inflection or a cusp it is the limit; NaN on a straight line.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torsions (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).torsion(0.0).item()
+        3.0
+        """
+    def inflections(self, direction: ArrayLike | None = None) -> _Floats:
+        """Find the parameters where the curve begins to bend to the other side.
+
+        All sign changes of the signed curvature; the middle of a straight part between two bends. Corners do
+        not count.
+
+        Parameters
+        ----------
+        direction : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If no direction is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, -1), (3, 0)]).inflections().round(9)
+        array([0.5])
+        """
+    def extrema(self, direction: ArrayLike) -> _Floats:
+        """Find the parameters where the curve has an extremum along a direction.
+
+        All zeros of the derivative along it, both ends of a part at right angles to it, corners where it
+        changes sign, and the ends of the curve and of its pieces.
+
+        Parameters
+        ----------
+        direction : array_like
+            Vector (3,).
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If the direction is zero.
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).extrema((0, 1, 0))
+        array([0. , 0.5, 1. ])
+        """
+    def bounding_box(self) -> _Floats:
+        """Find the smallest box along the axes that contains the curve.
+
+        Not that of the control points: right to a few roundings of the largest coordinate.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).bounding_box().tolist()
+        [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0]]
+        """
+    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float:
+        """Measure the area inside a closed curve, positive where it lies to the left.
+
+        Parts enclosed twice count twice. For a curve that is not plane it is the area of its projection along
+        the normal. Exact, but for rounding, for polynomial curves.
+
+        Parameters
+        ----------
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+        tolerance : float, default 1e-12
+            The largest relative error for rational curves.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If the ends are apart by more than 1e-9 of the size or the curve is in several pieces.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
+        12.566370614
+        """
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
+        """Count how often a closed curve winds around a point, to the left.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (3,).
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+
+        Returns
+        -------
+        int
+            The winding number; 0 outside.
+
+        Raises
+        ------
+        InvalidShape
+            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
+        (1, 0)
+        """
+    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Evaluate tangent, normal and binormal of Frenet's frame.
+
+        Limits are taken where a derivative falls to zero. Normal and binormal are NaN where the curve is
+        straight.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> tangent, normal, binormal = arc.frenet_frame(0.0)
+        >>> normal.round(12).tolist()[0]
+        -1.0
+        """
     def frames(
         self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate frames of tangent, normal and binormal along the curve.
+
+        Rotation-minimizing frames turn around the tangent as little as possible, from the start of the
+        domain, to about 1e-9. Straight parts keep the frame; at a corner it turns as little as it can.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        kind : {'frenet', 'rotation_minimizing'}, default 'rotation_minimizing'
+            Rotation-minimizing frames, or those of `frenet_frame`.
+        start : array_like, optional
+            Vector (3,) along which the normal points at the start, as far as it is at right angles to the
+            curve; by default the normal there.
+        closed : bool, default False
+            Whether the turn of the frame at the end of a closed curve is taken back, evenly by length.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is a point; with 'frenet', where it is straight or has a zero derivative; with
+            `closed`, unless it closes smoothly.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If a span turns so wildly that 2^17 steps are not enough.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Wang, Jüttler, Zheng and Liu 2008; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0, 0), (2, 0, 0)])
+        >>> line.frames(0.5, start=(0, 0, 1)).tolist()
+        [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
+        """
     def dragged(
         self,
         u: float,
@@ -908,8 +6240,46 @@ class HermiteCurve:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> HermiteCurve: ...
-    def dumps(self) -> str: ...
+    ) -> HermiteCurve:
+        """Move the point at a parameter by moving points and tangents as little as possible.
+
+        The motion of a tangent is measured at a third of the span. Tangents that are equal at a point remain
+        equal.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_by : array_like, optional
+            Vector (3,) added to the first derivative at u; zero keeps it, None leaves it free.
+        second_by : array_like, optional
+            The same for the second derivative; needs `tangent_by`.
+        factors : array_like, optional
+            Factors (3, n) of points, incoming and outgoing tangents; 0 holds one.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        HermiteCurve
+            The new chain.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> HermiteCurve: ...
@@ -917,7 +6287,36 @@ class HermiteCurve:
 
 @final
 class PowerCurve:
-    """A polynomial or rational curve by its coefficients of powers of t - origin."""
+    """A polynomial, or rational, curve by its coefficients: Q(t) = sum c_k (t - origin)^k.
+
+    It is evaluated through its Bernstein form on the domain, whose points are right to an ulp of the
+    largest.
+
+    Parameters
+    ----------
+    coefficients : array_like
+        Coefficients (degree + 1, 2 or 3), lowest power first.
+    origin : float, default 0.0
+        The parameter at which the powers are zero.
+    domain : array_like, default (0.0, 1.0)
+        First and last parameter (2,).
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S2.
+
+    Examples
+    --------
+    >>> curve = sc.PowerCurve([(0, 0), (1, 0), (0, 1)])      # (t, t²)
+    >>> curve.evaluate([0.5, 1.0])
+    array([[0.5 , 0.25, 0.  ],
+           [1.  , 1.  , 0.  ]])
+    """
 
     def __init__(
         self, coefficients: ArrayLike, origin: float = 0.0, domain: ArrayLike = (0.0, 1.0)
@@ -925,21 +6324,51 @@ class PowerCurve:
     @staticmethod
     def from_homogeneous(
         coefficients: ArrayLike, origin: float = 0.0, domain: ArrayLike = (0.0, 1.0)
-    ) -> PowerCurve: ...
+    ) -> PowerCurve:
+        """Make a rational curve from coefficients of its numerator and denominator.
+
+        Parameters
+        ----------
+        coefficients : array_like
+            Rows (n, 4) of wx, wy, wz and the denominator w, lowest power first.
+        origin : float, default 0.0
+            The parameter at which the powers are zero.
+        domain : array_like, default (0.0, 1.0)
+            First and last parameter (2,).
+
+        Returns
+        -------
+        PowerCurve
+            The curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     @property
-    def degree(self) -> int: ...
+    def degree(self) -> int:
+        """The degree."""
     @property
-    def domain(self) -> _Interval: ...
+    def domain(self) -> _Interval:
+        """First and last parameter (start, end)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def coefficients(self) -> _Floats: ...
+    def coefficients(self) -> _Floats:
+        """Coefficients (degree + 1, 3) float64, lowest power first, read-only; those of the numerator of a
+        rational curve.
+        """
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Coefficients (degree + 1,) float64 of the denominator, read-only: 1, 0, 0, … of a polynomial."""
     @property
-    def homogeneous_coefficients(self) -> _Floats: ...
+    def homogeneous_coefficients(self) -> _Floats:
+        """Rows (degree + 1, 4) float64 as `from_homogeneous` takes them, read-only."""
     @property
-    def origin(self) -> float: ...
+    def origin(self) -> float:
+        """The parameter at which the powers are zero."""
     def evaluate(
         self,
         u: ArrayLike,
@@ -950,7 +6379,56 @@ class PowerCurve:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the curve.
+
+        A parameter has the same result in every bit in any batch and on any number of threads.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S6, S9, S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> arc.evaluate([0.0, 0.5, 1.0]).round(6)
+        array([[1.      , 0.      , 0.      ],
+               [0.707107, 0.707107, 0.      ],
+               [0.      , 1.      , 0.      ]])
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -961,61 +6439,956 @@ class PowerCurve:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def pieces(self) -> list[_Interval]: ...
+    ) -> _Floats:
+        """Evaluate points and their derivatives by the parameter.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        order : int
+            Highest order of derivatives, 0 or more.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, 3): `[..., 0, :]` are the points of `evaluate`, in every bit.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.2.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.derivatives(0.5, 1)
+        array([[1., 1., 0.],
+               [2., 0., 0.]])
+        """
+    def pieces(self) -> list[_Interval]:
+        """Find the intervals on which the curve is finite and connected.
+
+        It is cut where the weight is zero and at knots of multiplicity degree + 1.
+
+        Returns
+        -------
+        list of tuple (float, float)
+            Intervals (start, end) in order.
+        """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
-    ) -> list[tuple[_Floats, bool]]: ...
-    def split(self, u: float) -> tuple[PowerCurve, PowerCurve]: ...
-    def transformed(self, matrix: ArrayLike) -> PowerCurve: ...
-    def translated(self, by: ArrayLike) -> PowerCurve: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PowerCurve: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PowerCurve: ...
-    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]: ...
-    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity: ...
+    ) -> list[tuple[_Floats, bool]]:
+        """Sample the curve evenly in its parameter, one polyline for each of `pieces`.
+
+        With a reach, a curve whose weights differ in sign ends where it leaves the box of its finite control
+        points by that length in a coordinate; without one, at its last sample before infinity.
+
+        Parameters
+        ----------
+        resolution : int
+            Steps in every span.
+        reach : float, optional
+            A length beyond the box of the control points at which a curve through infinity is cut.
+        around : array_like, optional
+            Points (n, 2 or 3) whose box stands for that of the control points; any curve is cut there.
+
+        Returns
+        -------
+        list of tuple (numpy.ndarray, bool)
+            Pairs (points (m, 3), whether the polyline is closed).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (2, 0)])
+        >>> points, closed = line.polylines(2)[0]
+        >>> points.tolist(), closed
+        ([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], False)
+        """
+    def split(self, u: float) -> tuple[PowerCurve, PowerCurve]:
+        """Cut the curve at a parameter.
+
+        Parameters
+        ----------
+        u : float
+            A parameter inside the domain.
+
+        Returns
+        -------
+        tuple (PowerCurve, PowerCurve)
+            (before, after): the same coefficients, each on its part of the domain.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def transformed(self, matrix: ArrayLike) -> PowerCurve:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        PowerCurve
+            The image of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S15.
+
+        Examples
+        --------
+        >>> line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> line.transformed([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 0]]).points.tolist()
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0]]
+        """
+    def translated(self, by: ArrayLike) -> PowerCurve:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        PowerCurve
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PowerCurve:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        PowerCurve
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PowerCurve:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        PowerCurve
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
+        """Append another curve of any kind.
+
+        Points next to the joint move as little as the continuity asks. For 'C1' and 'C2' the domain of the
+        other curve is scaled first.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        continuity : {'C0', 'G1', 'C1', 'C2'}, default 'C0'
+            The continuity wanted at the joint.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            Both as one curve, and the distance by which they moved, a length.
+
+        Raises
+        ------
+        InvalidShape
+            If a curve is periodic or an end lies at infinity.
+
+        References
+        ----------
+        Lecture row S7.
+
+        Examples
+        --------
+        >>> a = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 0)])
+        >>> b = sc.NurbsCurve(1, [0, 0, 1, 1], [(1, 0), (1, 1)])
+        >>> joined, error = a.join(b)
+        >>> joined.domain, error
+        ((0.0, 2.0), 0.0)
+        """
+    def continuity_to(self, other: _Curve, tolerance: float = 1e-8) -> Continuity:
+        """Measure the continuity between the end of this curve and the start of another one, of any kind.
+
+        Parameters
+        ----------
+        other : curve
+            The curve that follows.
+        tolerance : float, default 1e-08
+            Relative differences below it count as none.
+
+        Returns
+        -------
+        Continuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S16.
+        """
     @property
-    def is_closed(self) -> bool: ...
-    def reversed(self) -> PowerCurve: ...
-    def derivative(self) -> PowerCurve: ...
-    def with_origin(self, origin: float) -> PowerCurve: ...
-    def with_domain(self, domain: ArrayLike) -> PowerCurve: ...
-    def to_bezier(self) -> list[BezierCurve]: ...
-    def to_hermite(self) -> HermiteCurve: ...
-    def to_nurbs(self) -> NurbsCurve: ...
-    def to_power(self, origin: float = 0.0) -> PowerCurve: ...
+    def is_closed(self) -> bool:
+        """Whether the curve is in one piece and ends exactly where it begins."""
+    def reversed(self) -> PowerCurve:
+        """Reverse the direction of the curve over the same domain, about the mirrored origin.
+
+        Returns
+        -------
+        PowerCurve
+            The same points in the opposite direction.
+        """
+    def derivative(self) -> PowerCurve:
+        """Differentiate the curve by its parameter.
+
+        Returns
+        -------
+        PowerCurve
+            The derivative; of a rational curve of twice the degree.
+
+        Raises
+        ------
+        InvalidShape
+            If the degree would exceed 255.
+
+        References
+        ----------
+        Lecture row S2.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).derivative().coefficients
+        array([[1., 0., 0.],
+               [0., 2., 0.]])
+        """
+    def with_origin(self, origin: float) -> PowerCurve:
+        """Expand about another origin.
+
+        About a distant origin the coefficients are large and cancel.
+
+        Parameters
+        ----------
+        origin : float
+            The parameter at which the powers are zero.
+
+        Returns
+        -------
+        PowerCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a coefficient overflows.
+
+        References
+        ----------
+        Knuth, The Art of Computer Programming, 4.6.4; lecture row S2.
+        """
+    def with_domain(self, domain: ArrayLike) -> PowerCurve:
+        """Keep the coefficients, replace the domain.
+
+        Parameters
+        ----------
+        domain : array_like
+            First and last parameter (2,).
+
+        Returns
+        -------
+        PowerCurve
+            The new curve.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def to_bezier(self) -> list[BezierCurve]:
+        """Convert to Bezier curves, one for each span.
+
+        Returns
+        -------
+        list of BezierCurve
+            Bezier curves in order.
+
+        References
+        ----------
+        The NURBS Book, A5.6.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0), (1, 1), (2, 1), (3, 0)])
+        >>> len(curve.to_bezier())
+        2
+        """
+    def to_hermite(self) -> HermiteCurve:
+        """Convert to a chain of cubics.
+
+        Returns
+        -------
+        HermiteCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, has a gap, or its degree is above 3.
+        """
+    def to_nurbs(self) -> NurbsCurve:
+        """Convert to a NURBS curve of one clamped span.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+        """
+    def to_power(self, origin: float = 0.0) -> PowerCurve:
+        """Expand about another origin.
+
+        About a distant origin the coefficients are large and cancel.
+
+        Parameters
+        ----------
+        origin : float, default 0.0
+            The parameter at which the powers are zero.
+
+        Returns
+        -------
+        PowerCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a coefficient overflows.
+
+        References
+        ----------
+        Knuth, The Art of Computer Programming, 4.6.4; lecture row S2.
+        """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
-               cancel: _Cancel | None = None) -> float: ...
+               cancel: _Cancel | None = None) -> float:
+        """Measure the length between two parameters.
+
+        Adaptive quadrature of Gauss and Kronrod on every span, also through cusps. On a periodic curve start
+        and end may be any numbers in order: turns are counted.
+
+        Parameters
+        ----------
+        start : float, optional
+            Where to begin; by default the start of the domain.
+        end : float, optional
+            Where to end; by default the end of the domain.
+        tolerance : float, default 1e-13
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The length, in units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start <= end, in the domain of a curve that is not periodic.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> round(arc.length(), 12), round(arc.length(0.0, 0.5), 12)
+        (1.570796326795, 0.785398163397)
+        """
     def parameter_at_length(
         self, s: ArrayLike, *, tolerance: float = 1e-10, cancel: _Cancel | None = None
-    ) -> _Floats: ...
-    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats: ...
-    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> _Floats:
+        """Find the parameters at given lengths from the start.
+
+        Parameters
+        ----------
+        s : array_like
+            Lengths (...,) from the start of the domain; a periodic curve takes any.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (...,).
+
+        Raises
+        ------
+        InvalidShape
+            If a length is below 0 or above that of the curve.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).parameter_at_length([1.0, 2.0]).round(9)
+        array([0.25, 0.5 ])
+        """
+    def divide(self, count: int, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve into parts of equal length.
+
+        Parameters
+        ----------
+        count : int
+            How many parts, 1 to 2^22.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (count + 1,) with both ends; (count,) where the curve closes.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is out of range or the curve has no length.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide(4).round(9)
+        array([0.  , 0.25, 0.5 , 0.75, 1.  ])
+        """
+    def divide_by_length(self, step: float, *, tolerance: float = 1e-10, cancel: _Cancel | None = None) -> _Floats:
+        """Divide the curve by steps of a given length from its start.
+
+        Parameters
+        ----------
+        step : float
+            Length of a step.
+        tolerance : float, default 1e-10
+            The largest error of the length, relative to that of the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) at 0, step, 2 step, … up to the length of the curve, without the end of a
+            closed curve.
+
+        Raises
+        ------
+        InvalidShape
+            Unless step > 0, or if there are more than 2^22 steps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).divide_by_length(1.5).round(9)
+        array([0.   , 0.375, 0.75 ])
+        """
+    def curvature(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the curvature |C' x C''| / |C'|³.
+
+        Where C' falls to zero it is the limit, inf at a sharp cusp; NaN where the curve is a point.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S15, S16.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.curvature([0.0, 0.5]).round(12)
+        array([0.5, 0.5])
+        """
     def signed_curvature(
         self, u: ArrayLike, normal: ArrayLike | None = None, *, side: _Side = "right",
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Measure the curvature of a plane curve, positive where it bends to its left.
+
+        Of a curve that is not plane it is the part of the curvature about the normal. Limits as of
+        `curvature`.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        normal : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane, towards +z.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Curvatures (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If no normal is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], weights=[1, 0.5**0.5, 1])
+        >>> arc.reversed().signed_curvature([0.0, 0.5]).round(12)
+        array([-0.5, -0.5])
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the curve to each of several points.
+
+        The global minimum: ends, corners and gaps are included. Of several places at one distance the one
+        with the smallest parameter is taken. Where the curve passes through infinity its finite part counts.
+        A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters, points and distances, right to a few roundings of the size of the curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> found = line.nearest([(1, 3), (9, 0)])
+        >>> found.parameters, found.distances
+        (array([0.25, 1.  ]), array([3., 5.]))
+        """
     def intersections(
         self, other: _Curve, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets another one.
+
+        Places where the distance of both is least and within the tolerance, ends included, and stretches that
+        both have in common.
+
+        Parameters
+        ----------
+        other : curve
+            A curve of any kind.
+        tolerance : float, optional
+            The largest distance of both curves, a length; by default 2^-33 of the extent of the control
+            points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places in the order of the parameters of this curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^22 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (2, 2)])
+        >>> b = sc.BezierCurve([(0, 2), (2, 0)])
+        >>> a.intersections(b).points.round(9)
+        array([[1., 1., 0.]])
+        """
     def self_intersections(
         self, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Intersections: ...
+    ) -> Intersections:
+        """Find where the curve meets itself.
+
+        Places next to each other along the curve, as at a cusp, and the seam of a closed curve do not count.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Intersections
+            The places as of `intersections`: the first parameter is the smaller one.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a patch.
+
+        Places where the distance of both is least and within the tolerance, ends of the curve included, and
+        stretches that lie on the patch.
+
+        Parameters
+        ----------
+        patch : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of both, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places in the order of the parameters of the curve, and the stretches.
+
+        Raises
+        ------
+        InvalidShape
+            If more than 2^20 pairs of parts are within the tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0.5, 0.5, -1), (0.5, 0.5, 1)])
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> line.patch_intersections(plane).parameters.round(9)
+        array([[0.5, 0.5, 0.5]])
+        """
     def plane_intersections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> PatchIntersections: ...
-    def part(self, start: float, end: float) -> NurbsCurve: ...
-    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]: ...
-    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
-    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]: ...
+    ) -> PatchIntersections:
+        """Find where the curve meets a plane.
+
+        Parameters on the plane are its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance, a length; by default 2^-33 of the extent of the control points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchIntersections
+            The places and stretches, as of `patch_intersections`.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0, -1), (0, 0, 3)])
+        >>> curve.plane_intersections((0, 0, 0), (0, 0, 1)).parameters[:, 0].round(9)
+        array([0.25])
+        """
+    def part(self, start: float, end: float) -> NurbsCurve:
+        """Cut out the part between two parameters, over that part of the domain.
+
+        Parameters
+        ----------
+        start : float
+            Where to begin.
+        end : float
+            Where to end; on a closed curve up to a turn behind the start.
+
+        Returns
+        -------
+        NurbsCurve
+            The part.
+
+        Raises
+        ------
+        InvalidShape
+            Unless start < end in the domain, or over the seam of a closed curve.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (4, 0)]).part(0.25, 0.75).domain
+        (0.25, 0.75)
+        """
+    def parts(self, parameters: ArrayLike) -> list[NurbsCurve]:
+        """Cut the curve at several parameters.
+
+        The ends of an open curve cut nothing. The last part of a closed curve continues over the seam.
+
+        Parameters
+        ----------
+        parameters : array_like
+            Parameters (n,) in the domain.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> [round(part.length(), 9) for part in sc.BezierCurve([(0, 0), (4, 0)]).parts([0.25, 0.5])]
+        [1.0, 1.0, 2.0]
+        """
+    def split_by(self, others: Sequence[_Curve], *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Cut the curve where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The parts in order.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
+        """Remove the part of the curve about a parameter, between where it meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : float
+            A parameter of the part that is removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            One or two curves.
+
+        Raises
+        ------
+        InvalidShape
+            If they do not meet, or a closed curve meets them in one place alone.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
-    ) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end by a length.
+
+        Parameters stay, the domain grows.
+
+        Parameters
+        ----------
+        length : float
+            How far, above 0.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            By the polynomials of the last span ('natural'), along the circle of curvature ('arc'), or
+            along the tangent ('straight').
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is closed or has a zero derivative at its end, an arc would exceed its circle, or
+            the curve runs to infinity before that length.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (4, 0)]).extended(1.0).length(), 9)
+        5.0
+        """
     def extended_to(
         self,
         others: Sequence[_Curve],
@@ -1023,9 +7396,95 @@ class PowerCurve:
         how: _Extension = "natural",
         *,
         cancel: _Cancel | None = None,
-    ) -> NurbsCurve: ...
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve: ...
+    ) -> NurbsCurve:
+        """Extend the curve at one end to where it first meets other curves.
+
+        Parameters
+        ----------
+        others : sequence of curves
+            Curves of any kinds.
+        at : {'start', 'end'}, default 'end'
+            The end.
+        how : {'natural', 'arc', 'straight'}, default 'natural'
+            As of `extended`.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The longer curve.
+
+        Raises
+        ------
+        InvalidShape
+            If it meets none of them within four times the size of all, or as of `extended`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
+    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by an arc that touches both sides.
+
+        Parameters
+        ----------
+        radius : float
+            Radius of the arcs, above 0.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with arcs, at the seam of a closed curve too.
+
+        Raises
+        ------
+        InvalidShape
+            If no such arc fits between the neighbors of a corner, or the curve turns back or is not plane
+            there.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
+        6.0
+        """
+    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+        """Replace every corner by a line.
+
+        Parameters
+        ----------
+        length : float
+            How far the line begins before the corner and ends behind it, measured along the curve.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        NurbsCurve
+            The curve with lines.
+
+        Raises
+        ------
+        InvalidShape
+            If a corner has no room for it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+        """
     def offset(
         self,
         distance: float,
@@ -1035,14 +7494,151 @@ class PowerCurve:
         corner: Literal["round", "sharp"] = "round",
         trimmed: bool = False,
         cancel: _Cancel | None = None,
-    ) -> list[NurbsCurve]: ...
+    ) -> list[NurbsCurve]:
+        """Offset a plane curve to its left.
+
+        Lines and arcs of circles are moved exactly; other spans become cubics within the tolerance.
+
+        Parameters
+        ----------
+        distance : float
+            How far, to the left seen against the normal, to the right where it is negative.
+        normal : array_like, default (0, 0, 1)
+            Normal (3,) of the plane of the curve.
+        tolerance : float, optional
+            The largest error, a length; by default 2^-20 of the size.
+        corner : {'round', 'sharp'}, default 'round'
+            At corners an arc, or the corner of both tangents up to four times the distance away.
+        trimmed : bool, default False
+            Whether parts that are nearer to the curve than the distance are removed.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        list of NurbsCurve
+            The offset; several curves where the curve has gaps or the offset is trimmed.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is not in a plane with that normal, the distance is zero or not finite, or
+            nothing is left.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Tiller and Hanson 1984; lecture row S18.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> round(circle.offset(0.5)[0].length() / (2 * np.pi), 9)      # inwards
+        1.5
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point, the ends of the curve and of its pieces, and
+        corners where the distance is a minimum or a maximum.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of their parameters, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where the distance is constant, as from the
+            center of a circle.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lane and Riesenfeld 1981; lecture row S15.
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n,).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where the distance is constant.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S15.
+        """
     def rebuild(
         self,
         count: SupportsIndex | None = None,
@@ -1051,22 +7647,360 @@ class PowerCurve:
         tolerance: float | None = None,
         ends: Literal["points", "tangents"] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsCurve]: ...
+    ) -> Approximation[NurbsCurve]:
+        """Approximate by a polynomial curve with even knots over the same domain.
+
+        It is nearest in the integral of the squared distance at equal parameters, and periodic if the curve
+        is.
+
+        Parameters
+        ----------
+        count : int, optional
+            Number of control points; with a tolerance the most.
+        degree : int, optional
+            Degree; by default that of the curve.
+        tolerance : float, optional
+            As few control points as come within it, a length.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve, and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If the count is below the number that the degree needs.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S17.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> curve, error = arc.rebuild(degree=3, tolerance=1e-4)
+        >>> curve.is_rational, error <= 1e-4
+        (False, True)
+        """
     def fair(
         self, tolerance: float, *, ends: Literal["points", "tangents"] = "points", cancel: _Cancel | None = None
-    ) -> Approximation[NurbsCurve]: ...
-    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
-    def inflections(self, direction: ArrayLike | None = None) -> _Floats: ...
-    def extrema(self, direction: ArrayLike) -> _Floats: ...
-    def bounding_box(self) -> _Floats: ...
-    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float: ...
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int: ...
-    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats: ...
+    ) -> Approximation[NurbsCurve]:
+        """Smooth the curve within a tolerance.
+
+        Knots and weights stay; the integral of the squared second derivative becomes as small as the
+        tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'}, default 'points'
+            Of an open curve the end points stay, or the tangents there too.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsCurve
+            The new curve and the largest distance at equal parameters, at most 1 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and the degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Reinsch 1967; lecture row S17.
+        """
+    def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
+
+        At an inflection or a cusp it is the limit; NaN on a straight line.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Torsions (...,), in 1 / length.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]).torsion(0.0).item()
+        3.0
+        """
+    def inflections(self, direction: ArrayLike | None = None) -> _Floats:
+        """Find the parameters where the curve begins to bend to the other side.
+
+        All sign changes of the signed curvature; the middle of a straight part between two bends. Corners do
+        not count.
+
+        Parameters
+        ----------
+        direction : array_like, optional
+            Vector (3,) that the curve is seen against; by default the normal of its plane.
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If no direction is given and the curve lies in no plane.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, -1), (3, 0)]).inflections().round(9)
+        array([0.5])
+        """
+    def extrema(self, direction: ArrayLike) -> _Floats:
+        """Find the parameters where the curve has an extremum along a direction.
+
+        All zeros of the derivative along it, both ends of a part at right angles to it, corners where it
+        changes sign, and the ends of the curve and of its pieces.
+
+        Parameters
+        ----------
+        direction : array_like
+            Vector (3,).
+
+        Returns
+        -------
+        numpy.ndarray
+            Parameters (n,) in order.
+
+        Raises
+        ------
+        InvalidShape
+            If the direction is zero.
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).extrema((0, 1, 0))
+        array([0. , 0.5, 1. ])
+        """
+    def bounding_box(self) -> _Floats:
+        """Find the smallest box along the axes that contains the curve.
+
+        Not that of the control points: right to a few roundings of the largest coordinate.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        PointAtInfinity
+            If the curve runs to infinity.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).bounding_box().tolist()
+        [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0]]
+        """
+    def signed_area(self, normal: ArrayLike = (0.0, 0.0, 1.0), *, tolerance: float = 1e-12) -> float:
+        """Measure the area inside a closed curve, positive where it lies to the left.
+
+        Parts enclosed twice count twice. For a curve that is not plane it is the area of its projection along
+        the normal. Exact, but for rounding, for polynomial curves.
+
+        Parameters
+        ----------
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+        tolerance : float, default 1e-12
+            The largest relative error for rational curves.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If the ends are apart by more than 1e-9 of the size or the curve is in several pieces.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
+        12.566370614
+        """
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
+        """Count how often a closed curve winds around a point, to the left.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (3,).
+        normal : array_like, default (0.0, 0.0, 1.0)
+            Vector (3,) that the curve is seen against.
+
+        Returns
+        -------
+        int
+            The winding number; 0 outside.
+
+        Raises
+        ------
+        InvalidShape
+            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> circle = sc.conics.circle((0, 0, 0), 2.0)
+        >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
+        (1, 0)
+        """
+    def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
+        """Evaluate tangent, normal and binormal of Frenet's frame.
+
+        Limits are taken where a derivative falls to zero. Normal and binormal are NaN where the curve is
+        straight.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S15.
+
+        Examples
+        --------
+        >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
+        >>> tangent, normal, binormal = arc.frenet_frame(0.0)
+        >>> normal.round(12).tolist()[0]
+        -1.0
+        """
     def frames(
         self, u: ArrayLike, kind: Literal["frenet", "rotation_minimizing"] = "rotation_minimizing", *,
         start: ArrayLike | None = None, closed: bool = False, side: _Side = "right", cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def dumps(self) -> str: ...
+    ) -> _Floats:
+        """Evaluate frames of tangent, normal and binormal along the curve.
+
+        Rotation-minimizing frames turn around the tangent as little as possible, from the start of the
+        domain, to about 1e-9. Straight parts keep the frame; at a corner it turns as little as it can.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in the domain; a periodic curve or direction takes any, modulo its period.
+        kind : {'frenet', 'rotation_minimizing'}, default 'rotation_minimizing'
+            Rotation-minimizing frames, or those of `frenet_frame`.
+        start : array_like, optional
+            Vector (3,) along which the normal points at the start, as far as it is at right angles to the
+            curve; by default the normal there.
+        closed : bool, default False
+            Whether the turn of the frame at the end of a closed curve is taken back, evenly by length.
+        side : {'left', 'right'}, default 'right'
+            At a knot, the value from the right or from the left.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Unit vectors (..., 3, 3), one in each row.
+
+        Raises
+        ------
+        InvalidShape
+            If the curve is a point; with 'frenet', where it is straight or has a zero derivative; with
+            `closed`, unless it closes smoothly.
+        PointAtInfinity
+            If the curve runs to infinity.
+        ToleranceNotReached
+            If a span turns so wildly that 2^17 steps are not enough.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Wang, Jüttler, Zheng and Liu 2008; lecture row S15.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0, 0), (2, 0, 0)])
+        >>> line.frames(0.5, start=(0, 0, 1)).tolist()
+        [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> PowerCurve: ...
@@ -1074,7 +8008,38 @@ class PowerCurve:
 
 @final
 class NurbsPatch:
-    """A net of points with weights on two knot vectors."""
+    """A NURBS patch: a net of control points with weights on two knot vectors.
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    degree : sequence of ints
+        Degrees (2,) in u and v, each 1 to 255.
+    knots : sequence of array_like
+        Two knot vectors, for u and v; of a periodic direction one period.
+    points : array_like
+        Net (nu, nv, 2 or 3) of control points, in any unit of length.
+    weights : array_like, optional
+        Weights (nu, nv), 1 where none are given; 0 makes a point a direction.
+    periodic : sequence of bools, default (False, False)
+        Whether the patch is closed in u and in v.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    The NURBS Book, 4.4; lecture row S20.
+
+    Examples
+    --------
+    >>> patch = sc.NurbsPatch((1, 1), ([0, 0, 1, 1], [0, 0, 1, 1]), [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+    >>> patch.evaluate(0.5, 0.5)
+    array([0.5 , 0.5 , 0.25])
+    """
 
     def __init__(
         self,
@@ -1087,27 +8052,95 @@ class NurbsPatch:
     @staticmethod
     def from_homogeneous(
         degree: _Pair, knots: _Knots, points: ArrayLike, periodic: Sequence[bool] = (False, False)
-    ) -> NurbsPatch: ...
+    ) -> NurbsPatch:
+        """Make a patch from homogeneous control points.
+
+        Parameters
+        ----------
+        degree : sequence of ints
+            Degrees (2,) in u and v.
+        knots : sequence of array_like
+            Two knot vectors, for u and v.
+        points : array_like
+            Array (nu, nv, 4) of wx, wy, wz, w; w = 0 makes a direction.
+        periodic : sequence of bools, default (False, False)
+            Whether the patch is closed in u and in v.
+
+        Returns
+        -------
+        NurbsPatch
+            The patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     @property
-    def degree(self) -> tuple[int, int]: ...
+    def degree(self) -> tuple[int, int]:
+        """Degrees in u and in v."""
     @property
-    def domain(self) -> tuple[_Interval, _Interval]: ...
+    def domain(self) -> tuple[_Interval, _Interval]:
+        """Domains ((start, end) of u, (start, end) of v)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def periodic(self) -> tuple[bool, bool]: ...
+    def periodic(self) -> tuple[bool, bool]:
+        """Whether the patch is periodic in u and in v."""
     @property
-    def knots(self) -> tuple[_Floats, _Floats]: ...
+    def knots(self) -> tuple[_Floats, _Floats]:
+        """Knots of u and of v: read-only float64 arrays."""
     @property
-    def knot_vectors(self) -> tuple[basis.KnotVector, basis.KnotVector]: ...
+    def knot_vectors(self) -> tuple[basis.KnotVector, basis.KnotVector]:
+        """The `basis.KnotVector` of u and that of v."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Control points (nu, nv, 3) float64, as given, read-only."""
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Weights (nu, nv) float64, read-only."""
     @property
-    def homogeneous_points(self) -> _Floats: ...
-    def with_points(self, points: ArrayLike) -> NurbsPatch: ...
-    def with_weights(self, weights: ArrayLike) -> NurbsPatch: ...
+    def homogeneous_points(self) -> _Floats:
+        """Array (nu, nv, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too
+        large for a number.
+        """
+    def with_points(self, points: ArrayLike) -> NurbsPatch:
+        """Replace the control points, keep everything else.
+
+        Parameters
+        ----------
+        points : array_like
+            A net of the same shape.
+
+        Returns
+        -------
+        NurbsPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def with_weights(self, weights: ArrayLike) -> NurbsPatch:
+        """Replace the weights, keep everything else.
+
+        Parameters
+        ----------
+        weights : array_like
+            Weights of the same net.
+
+        Returns
+        -------
+        NurbsPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -1119,7 +8152,56 @@ class NurbsPatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the patch at pairs of parameters.
+
+        Parameters broadcast. A pair has the same result in every bit in a batch of any shape.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u; a periodic direction takes any, modulo its period.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> sphere.evaluate(0.0, [0.0, 1.0, 2.0]).round(12).tolist()
+        [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+        """
     def evaluate_grid(
         self,
         u: ArrayLike,
@@ -1131,7 +8213,53 @@ class NurbsPatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points at every pair of parameters.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.evaluate_grid([0.0, 0.5, 1.0], [0.0, 1.0]).shape
+        (3, 2, 3)
+        """
     def evaluate_grid_with_normals(
         self,
         u: ArrayLike,
@@ -1143,7 +8271,57 @@ class NurbsPatch:
         out: tuple[_Points, _Points] | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> tuple[_Points, _Points]: ...
+    ) -> tuple[_Points, _Points]:
+        """Evaluate points and unit normals at every pair of parameters.
+
+        Normals point along S_u x S_v; at a pole or a collapsed edge they are the limit from inside the
+        domain, NaN where there is none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : tuple (numpy.ndarray, numpy.ndarray), optional
+            Two C-contiguous arrays (a, b, 3) to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Points and normals, both (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> points, normals = plane.evaluate_grid_with_normals([0.5], [0.5])
+        >>> normals.tolist()
+        [[[0.0, 0.0, 1.0]]]
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -1155,7 +8333,54 @@ class NurbsPatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate mixed derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        order : int
+            Highest order of derivatives along u and along v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, order + 1, 3): `[..., k, l, :]` is derived k times along u, l times
+            along v.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.4.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.derivatives(0.5, 0.5, 1)[1, 0].tolist()
+        [2.0, 0.0, 0.0]
+        """
     def first_derivatives(
         self,
         u: ArrayLike,
@@ -1166,27 +8391,379 @@ class NurbsPatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def split(self, axis: _Axis, u: float) -> tuple[NurbsPatch, ...]: ...
-    def transformed(self, matrix: ArrayLike) -> NurbsPatch: ...
-    def translated(self, by: ArrayLike) -> NurbsPatch: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsPatch: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsPatch: ...
-    def reversed(self, axis: _Axis) -> NurbsPatch: ...
-    def swapped(self) -> NurbsPatch: ...
-    def to_bezier(self) -> list[list[BezierPatch]]: ...
-    def to_hermite(self) -> HermitePatch: ...
-    def to_nurbs(self) -> NurbsPatch: ...
-    def insert_knot(self, axis: _Axis, u: float, times: SupportsIndex = 1) -> NurbsPatch: ...
-    def refine(self, axis: _Axis, knots: ArrayLike) -> NurbsPatch: ...
-    def unrolled(self) -> NurbsPatch: ...
+    ) -> _Floats:
+        """Evaluate points and first derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., 3, 3) of S, S_u and S_v, with the bits of `derivatives`.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def split(self, axis: _Axis, u: float) -> tuple[NurbsPatch, ...]:
+        """Cut the patch at a parameter of one direction.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        u : float
+            A parameter inside the domain of the direction.
+
+        Returns
+        -------
+        tuple of NurbsPatch
+            (before, after); of a periodic direction (opened,), cut at u.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> [round(part.area(), 9) for part in plane.split("u", 0.25)]
+        [1.0, 3.0]
+        """
+    def transformed(self, matrix: ArrayLike) -> NurbsPatch:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        NurbsPatch
+            The image of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S20.
+        """
+    def translated(self, by: ArrayLike) -> NurbsPatch:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        NurbsPatch
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsPatch:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        NurbsPatch
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsPatch:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        NurbsPatch
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def reversed(self, axis: _Axis) -> NurbsPatch:
+        """Reverse one direction; normals are turned over.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def swapped(self) -> NurbsPatch:
+        """Exchange u and v; normals are turned over.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface.
+        """
+    def to_bezier(self) -> list[list[BezierPatch]]:
+        """Convert to Bezier patches, one for each pair of spans.
+
+        Returns
+        -------
+        list of list of BezierPatch
+            Rows along u of lists along v.
+
+        Examples
+        --------
+        >>> rows = sc.build.sphere((0, 0, 0), 1.0).to_bezier()
+        >>> len(rows), len(rows[0])
+        (4, 2)
+        """
+    def to_hermite(self) -> HermitePatch:
+        """Convert to a grid of bicubic Hermite patches.
+
+        Returns
+        -------
+        HermitePatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, of degree above 3 or not C1 inside.
+        """
+    def to_nurbs(self) -> NurbsPatch:
+        """Give the patch itself.
+
+        Returns
+        -------
+        NurbsPatch
+            The patch.
+        """
+    def insert_knot(self, axis: _Axis, u: float, times: SupportsIndex = 1) -> NurbsPatch:
+        """Add a knot in one direction without changing the surface.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        u : float
+            A parameter inside the domain of the direction.
+        times : int, default 1
+            How often.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface with more knots.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.insert_knot("u", 0.5).points.shape
+        (3, 2, 3)
+        """
+    def refine(self, axis: _Axis, knots: ArrayLike) -> NurbsPatch:
+        """Add several knots in one direction without changing the surface.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        knots : array_like
+            Parameters (n,) inside the domain of the direction.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface with more knots.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def unrolled(self) -> NurbsPatch:
+        """Convert periodic directions to plain ones whose knots and points are repeated.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface.
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the patch to each of several points.
+
+        The global minimum: borders, corners and poles are included. Of several places at one distance the one
+        with the smallest u, then v, is taken; where a whole curve of places is as near, any of them. Where
+        the patch passes through infinity its finite part counts. A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters (..., 2), points and distances, right to a few roundings of the size of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite, or more than 2^18 parts may hold the nearest point.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.nearest((3, 0, 0)).distances.item(), 9)
+        2.0
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point; and on borders and edges between pieces, in
+        corners and poles, the minima and maxima of the distance from the patch.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of u, then v, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where such places are a curve, as from the
+            center of a sphere.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sherbrooke and Patrikalakis 1993.
+        """
     def rays(
         self,
         origins: ArrayLike,
@@ -1196,38 +8773,510 @@ class NurbsPatch:
         limits: tuple[float, float] = ...,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> RayHits: ...
+    ) -> RayHits:
+        """Find where rays meet the patch.
+
+        Borders, seams and poles count once each; a patch that crosses itself is met on each of its sheets. No
+        place is lost: a ray that touches the patch, lies on it or goes through a pole is decided by
+        `patch_intersections`. A ray has the same result in any batch.
+
+        Parameters
+        ----------
+        origins : array_like
+            Points (..., 3) where rays start.
+        directions : array_like
+            Vectors (..., 3); they broadcast with the origins.
+        hits : {'first', 'all'}, default 'first'
+            The first place of each ray, or all places.
+        limits : tuple (float, float), default ...
+            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        RayHits
+            The places: arrays of the shape of the rays with 'first', NaN where a ray misses; of shape
+            (n,) with 'all'.
+
+        Raises
+        ------
+        InvalidShape
+            If a ray is not finite, has no direction, starts too far away, or cannot be decided; the
+            message names it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Kajiya 1982; Nishita, Sederberg and Kakimoto 1990.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.rays([(-3, 0, 0.5)], [(1, 0, 0)])
+        >>> round(found.along[0].item(), 9), found.patches.tolist()
+        (2.133974596, [0])
+        """
     def sections(
         self, other: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets another one.
+
+        A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts
+        that both have in common the borders are given.
+
+        Parameters
+        ----------
+        other : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of a curve from both patches, a length; by default 2^-20 of the size of
+            both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, their images in the parameters of both patches, and points where the patches
+            touch.
+
+        Raises
+        ------
+        InvalidShape
+            If too many pairs of parts are not apart, as where patches are nearly one, or both run through
+            infinity.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sinha, Klassen and Wang 1985; Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> wall = sc.build.plane((-2, -2, 0.5), (4, 0, 0), (0, 4, 0))
+        >>> found = sphere.sections(wall, 1e-6)
+        >>> abs(found.curves[0].length() - np.pi * 3**0.5) < 1e-5
+        True
+        """
     def plane_sections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets a plane.
+
+        Images on the plane are in its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance of a curve from the patch, a length; by default 2^-20 of its size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, as of `sections`.
+
+        Raises
+        ------
+        InvalidShape
+            If the normal is zero, and as of `sections`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.plane_sections((0, 0, 0.5), (0, 0, 1))
+        >>> bool(found.closed[0])
+        True
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n, 2).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where such places are a curve.
+        Cancelled
+            If `cancel` returned true.
+        """
     def rebuild(
         self,
         counts: SupportsIndex | tuple[SupportsIndex, SupportsIndex],
         degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] | None = None,
         *,
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
+    ) -> Approximation[NurbsPatch]:
+        """Approximate by a polynomial patch with even knots over the same domain.
+
+        It is nearest first along u, then along v. Corners stay; periodic directions stay periodic.
+
+        Parameters
+        ----------
+        counts : int or a pair of these
+            Numbers of control points in u and v, or one for both.
+        degrees : int or a pair of these, optional
+            Degrees in u and v, or one for both; by default those of the patch.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If a count is below the number that the degree needs.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S17, S20.
+        """
     def fair(
         self, tolerance: float, *,
         ends: Literal["points", "tangents"] | tuple[Literal["points", "tangents"], Literal["points", "tangents"]] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
-    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]: ...
-    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures: ...
-    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float: ...
+    ) -> Approximation[NurbsPatch]:
+        """Smooth the patch within a tolerance.
+
+        Knots, weights and borders stay; the energy of a thin plate becomes as small as the tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
+            Whether borders stay, or the derivatives across them too; a pair for u and v.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and a degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Greiner 1994; lecture row S17.
+        """
+    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
+        """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
+
+        The unit normal points along S_u x S_v; at a pole it is its limit, and the second form is NaN where it
+        has none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Arrays (..., 2, 2) of [[E, F], [F, G]] and [[L, M], [M, N]].
+
+        Raises
+        ------
+        InvalidShape
+            If a form is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
+        """Measure the curvatures at pairs of parameters, which broadcast.
+
+        Positive where the patch bends towards its normal. At a pole they are those on which all lines through
+        it agree; NaN where they do not, as at the tip of a cone.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        Curvatures
+            Gaussian, mean and principal curvatures, and principal directions.
+
+        Raises
+        ------
+        InvalidShape
+            If a curvature is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 2.0)
+        >>> round(sphere.curvatures(0.5, 1.0).gauss.item(), 9)
+        0.25
+        """
+    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float:
+        """Measure the area.
+
+        Adaptive quadrature of Gauss and Kronrod on every pair of spans.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If weights differ too much in size.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.area() / np.pi, 9)
+        4.0
+        """
     def flux(
         self, field: Callable[[_Floats], ArrayLike], *, tolerance: float = 1e-12, cancel: _Cancel | None = None
-    ) -> float: ...
-    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def isocurve(self, axis: _Axis, at: float) -> NurbsCurve: ...
-    def boundary(self, side: _Border) -> NurbsCurve: ...
+    ) -> float:
+        """Measure the flux of a vector field through the surface.
+
+        Positive where the field flows to the side of the normals, S_u x S_v of each patch. The surface may be
+        open.
+
+        Parameters
+        ----------
+        field : callable
+            A smooth function that takes points (n, 3) and gives vectors (n, 3); it is called with
+            thousands of points at once.
+        tolerance : float, default 1e-12
+            The largest error, relative to the integral of |field · normal|.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The integral of field · normal.
+
+        Raises
+        ------
+        InvalidShape
+            If values of the field have another shape or are not finite.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work, as where the field jumps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.flux(lambda points: points) / np.pi, 9)      # three times the volume
+        4.0
+        """
+    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the centroid of the surface, as of a thin shell.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the surface has no area.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the smallest box along the axes that contains the surface.
+
+        Not that of the control points. Branch and bound on Bezier pieces.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            How much too small the box may be, relative to the largest coordinate.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is not positive.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too many pieces.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).bounding_box().round(9).tolist()
+        [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]
+        """
+    def isocurve(self, axis: _Axis, at: float) -> NurbsCurve:
+        """Extract the curve along which one parameter is constant.
+
+        At a knot it is the value of the patch from there on. A periodic direction takes any parameter.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction whose parameter is constant.
+        at : float
+            The parameter.
+
+        Returns
+        -------
+        NurbsCurve
+            The exact curve on the knots of the other direction; a Bezier curve of a Bezier patch.
+
+        Raises
+        ------
+        InvalidShape
+            If `at` is outside the domain, or the whole curve lies at infinity.
+
+        References
+        ----------
+        The NURBS Book, 3.4; lecture rows S18, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> equator = sphere.isocurve("v", 1.0)
+        >>> round(equator.length() / (2 * np.pi), 9)
+        1.0
+        """
+    def boundary(self, side: _Border) -> NurbsCurve:
+        """Extract the curve along a side; of a periodic direction its seam.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side.
+
+        Returns
+        -------
+        NurbsCurve
+            The exact curve, as of `isocurve`.
+
+        Raises
+        ------
+        InvalidShape
+            If the whole side lies at infinity.
+
+        References
+        ----------
+        Lecture rows S20, S21.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.boundary("v_end").points.tolist()
+        [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -1235,23 +9284,295 @@ class NurbsPatch:
         other_side: _Border,
         tolerance: float = 1e-8,
         reversed: bool | None = None,
-    ) -> SeamContinuity: ...
-    def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> NurbsPatch: ...
+    ) -> SeamContinuity:
+        """Measure the continuity between a side of this patch and one of another, as `seam_continuity` does.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        tolerance : float, default 1e-08
+            Angles and relative differences below it count as none.
+        reversed : bool, optional
+            Whether the second side runs against the first one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        SeamContinuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S16, S21.
+        """
+    def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> NurbsPatch:
+        """Raise the degree in one direction without changing the patch; every distinct knot gains as many
+        copies.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        times : int, default 1
+            By how much.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        The NURBS Book, 5.5; lecture row S20.
+        """
     def reduce(
         self, axis: _Axis, times: SupportsIndex = 1, tolerance: float | None = None
-    ) -> Approximation[NurbsPatch]: ...
+    ) -> Approximation[NurbsPatch]:
+        """Lower the degree in one direction, with the nearest control points.
+
+        Exact where the degree was raised before. A plain direction keeps its ends, clamped.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        times : int, default 1
+            By how much.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        Lecture row S20.
+        """
     def remove_knot(
         self, axis: _Axis, u: float, times: SupportsIndex = 1, tolerance: float | None = None
-    ) -> Approximation[NurbsPatch]: ...
+    ) -> Approximation[NurbsPatch]:
+        """Remove an inner knot of one direction, with the nearest control points.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        u : float
+            An inner knot.
+        times : int, default 1
+            How many copies of it.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If u is not an inner knot.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        The NURBS Book, 5.4; lecture row S20.
+        """
     def remove_knots(
         self, axis: _Axis, tolerance: float, *, cancel: _Cancel | None = None
-    ) -> Approximation[NurbsPatch]: ...
-    def with_domain(self, axis: _Axis, domain: ArrayLike) -> NurbsPatch: ...
-    def clamped(self, axis: _Axis) -> NurbsPatch: ...
-    def unclamped(self, axis: _Axis) -> NurbsPatch: ...
-    def to_periodic(self, axis: _Axis, tolerance: float | None = None) -> Approximation[NurbsPatch]: ...
-    def moebius(self, axis: _Axis, rho: float) -> NurbsPatch: ...
-    def largest_distance(self, other: NurbsPatch) -> float: ...
+    ) -> Approximation[NurbsPatch]:
+        """Remove all inner knots of one direction that are not needed within a tolerance.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        tolerance : float
+            The largest error allowed, a length in units of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+        """
+    def with_domain(self, axis: _Axis, domain: ArrayLike) -> NurbsPatch:
+        """Map the knots of one direction to another domain; the points stay.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        domain : array_like
+            First and last parameter (2,), start < end.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch over another domain.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S20.
+        """
+    def clamped(self, axis: _Axis) -> NurbsPatch:
+        """Clamp both ends of one direction; a periodic direction is cut at its seam.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture row S20.
+        """
+    def unclamped(self, axis: _Axis) -> NurbsPatch:
+        """Continue the knots of one direction outside the domain; a periodic direction becomes a plain one.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            Where weights at an end differ so much that rounding would move the patch.
+
+        References
+        ----------
+        The NURBS Book, A12.1; lecture row S20.
+        """
+    def to_periodic(self, axis: _Axis, tolerance: float | None = None) -> Approximation[NurbsPatch]:
+        """Make a closed direction periodic, as smooth at its seam as it is within the tolerance.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        tolerance : float, optional
+            The largest distance of the ends, a length; by default a few roundings.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The periodic patch and its error.
+
+        Raises
+        ------
+        InvalidShape
+            If the weights of the ends differ.
+        ToleranceNotReached
+            If the ends are farther apart.
+
+        References
+        ----------
+        Lecture row S20.
+        """
+    def moebius(self, axis: _Axis, rho: float) -> NurbsPatch:
+        """Change the parameter of one direction to t = rho u / ((1 - u) + rho u); the domain stays, knots and
+        weights change.
+
+        A periodic direction becomes a plain one.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        rho : float
+            A positive number; 1 changes nothing.
+
+        Returns
+        -------
+        NurbsPatch
+            The same surface under other parameters.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lee and Lucian 1991; The NURBS Book, 6.4; lecture row S12.
+        """
+    def largest_distance(self, other: NurbsPatch) -> float:
+        """Bound the distance from another patch at equal parameters.
+
+        Parameters
+        ----------
+        other : NurbsPatch
+            A patch over the same domain.
+
+        Returns
+        -------
+        float
+            An upper bound, a length, at most 2 % above the truth; inf where one patch alone runs to
+            infinity.
+
+        Raises
+        ------
+        InvalidShape
+            If the domains differ.
+        """
     def dragged(
         self,
         u: float,
@@ -1262,8 +9583,58 @@ class NurbsPatch:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> NurbsPatch: ...
-    def dumps(self) -> str: ...
+    ) -> NurbsPatch:
+        """Move the point at a pair of parameters by moving the control points as little as possible.
+
+        As `NurbsCurve.dragged`. Points that lie in one place move together, so that seams and poles stay
+        closed.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point in u.
+        v : float
+            The parameter of the point in v.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_u_by : array_like, optional
+            Vector (3,) added to the derivative along u; zero keeps it, None leaves it free.
+        tangent_v_by : array_like, optional
+            The same along v.
+        factors : array_like, optional
+            Factors (nu, nv) of how easily each control point moves; 0 holds it.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        NurbsPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        References
+        ----------
+        The NURBS Book, 11.5.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> plane.dragged(0.5, 0.5, (0, 0, 1)).evaluate(0.5, 0.5).round(9)
+        array([0.5, 0.5, 1. ])
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> NurbsPatch: ...
@@ -1271,23 +9642,90 @@ class NurbsPatch:
 
 @final
 class BezierPatch:
-    """A net of points with weights over [0, 1] x [0, 1]."""
+    """A Bezier patch over [0, 1] x [0, 1].
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    points : array_like
+        Net (degree in u + 1, degree in v + 1, 2 or 3) of control points, in any unit of length.
+    weights : array_like, optional
+        Weights of the same net, 1 where none are given.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S19.
+
+    Examples
+    --------
+    >>> patch = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+    >>> patch.degree
+    (1, 1)
+    """
 
     def __init__(self, points: ArrayLike, weights: ArrayLike | None = None) -> None: ...
     @property
-    def degree(self) -> tuple[int, int]: ...
+    def degree(self) -> tuple[int, int]:
+        """Degrees in u and in v."""
     @property
-    def domain(self) -> tuple[_Interval, _Interval]: ...
+    def domain(self) -> tuple[_Interval, _Interval]:
+        """Domains ((start, end) of u, (start, end) of v)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Control points (nu, nv, 3) float64, as given, read-only."""
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Weights (nu, nv) float64, read-only."""
     @property
-    def homogeneous_points(self) -> _Floats: ...
-    def with_points(self, points: ArrayLike) -> BezierPatch: ...
-    def with_weights(self, weights: ArrayLike) -> BezierPatch: ...
+    def homogeneous_points(self) -> _Floats:
+        """Array (nu, nv, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too
+        large for a number.
+        """
+    def with_points(self, points: ArrayLike) -> BezierPatch:
+        """Replace the control points, keep everything else.
+
+        Parameters
+        ----------
+        points : array_like
+            A net of the same shape.
+
+        Returns
+        -------
+        BezierPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def with_weights(self, weights: ArrayLike) -> BezierPatch:
+        """Replace the weights, keep everything else.
+
+        Parameters
+        ----------
+        weights : array_like
+            Weights of the same net.
+
+        Returns
+        -------
+        BezierPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -1299,7 +9737,56 @@ class BezierPatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the patch at pairs of parameters.
+
+        Parameters broadcast. A pair has the same result in every bit in a batch of any shape.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u; a periodic direction takes any, modulo its period.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> sphere.evaluate(0.0, [0.0, 1.0, 2.0]).round(12).tolist()
+        [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+        """
     def evaluate_grid(
         self,
         u: ArrayLike,
@@ -1311,7 +9798,53 @@ class BezierPatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points at every pair of parameters.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.evaluate_grid([0.0, 0.5, 1.0], [0.0, 1.0]).shape
+        (3, 2, 3)
+        """
     def evaluate_grid_with_normals(
         self,
         u: ArrayLike,
@@ -1323,7 +9856,57 @@ class BezierPatch:
         out: tuple[_Points, _Points] | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> tuple[_Points, _Points]: ...
+    ) -> tuple[_Points, _Points]:
+        """Evaluate points and unit normals at every pair of parameters.
+
+        Normals point along S_u x S_v; at a pole or a collapsed edge they are the limit from inside the
+        domain, NaN where there is none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : tuple (numpy.ndarray, numpy.ndarray), optional
+            Two C-contiguous arrays (a, b, 3) to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Points and normals, both (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> points, normals = plane.evaluate_grid_with_normals([0.5], [0.5])
+        >>> normals.tolist()
+        [[[0.0, 0.0, 1.0]]]
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -1335,7 +9918,54 @@ class BezierPatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate mixed derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        order : int
+            Highest order of derivatives along u and along v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, order + 1, 3): `[..., k, l, :]` is derived k times along u, l times
+            along v.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.4.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.derivatives(0.5, 0.5, 1)[1, 0].tolist()
+        [2.0, 0.0, 0.0]
+        """
     def first_derivatives(
         self,
         u: ArrayLike,
@@ -1346,24 +9976,323 @@ class BezierPatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def split(self, axis: _Axis, u: float) -> tuple[BezierPatch, BezierPatch]: ...
-    def transformed(self, matrix: ArrayLike) -> BezierPatch: ...
-    def translated(self, by: ArrayLike) -> BezierPatch: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierPatch: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierPatch: ...
-    def reversed(self, axis: _Axis) -> BezierPatch: ...
-    def swapped(self) -> BezierPatch: ...
-    def to_bezier(self) -> list[list[BezierPatch]]: ...
-    def to_hermite(self) -> HermitePatch: ...
-    def to_nurbs(self) -> NurbsPatch: ...
+    ) -> _Floats:
+        """Evaluate points and first derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., 3, 3) of S, S_u and S_v, with the bits of `derivatives`.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def split(self, axis: _Axis, u: float) -> tuple[BezierPatch, BezierPatch]:
+        """Cut the patch at a parameter of one direction.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        u : float
+            A parameter inside the domain of the direction.
+
+        Returns
+        -------
+        tuple (BezierPatch, BezierPatch)
+            (before, after); of a periodic direction (opened,), cut at u.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> [round(part.area(), 9) for part in plane.split("u", 0.25)]
+        [1.0, 3.0]
+        """
+    def transformed(self, matrix: ArrayLike) -> BezierPatch:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        BezierPatch
+            The image of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S20.
+        """
+    def translated(self, by: ArrayLike) -> BezierPatch:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        BezierPatch
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierPatch:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        BezierPatch
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierPatch:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        BezierPatch
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def reversed(self, axis: _Axis) -> BezierPatch:
+        """Reverse one direction; normals are turned over.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+
+        Returns
+        -------
+        BezierPatch
+            The same surface.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def swapped(self) -> BezierPatch:
+        """Exchange u and v; normals are turned over.
+
+        Returns
+        -------
+        BezierPatch
+            The same surface.
+        """
+    def to_bezier(self) -> list[list[BezierPatch]]:
+        """Convert to Bezier patches, one for each pair of spans.
+
+        Returns
+        -------
+        list of list of BezierPatch
+            Rows along u of lists along v.
+
+        Examples
+        --------
+        >>> rows = sc.build.sphere((0, 0, 0), 1.0).to_bezier()
+        >>> len(rows), len(rows[0])
+        (4, 2)
+        """
+    def to_hermite(self) -> HermitePatch:
+        """Convert to a grid of bicubic Hermite patches.
+
+        Returns
+        -------
+        HermitePatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, of degree above 3 or not C1 inside.
+        """
+    def to_nurbs(self) -> NurbsPatch:
+        """Convert to a NURBS patch.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch.
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the patch to each of several points.
+
+        The global minimum: borders, corners and poles are included. Of several places at one distance the one
+        with the smallest u, then v, is taken; where a whole curve of places is as near, any of them. Where
+        the patch passes through infinity its finite part counts. A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters (..., 2), points and distances, right to a few roundings of the size of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite, or more than 2^18 parts may hold the nearest point.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.nearest((3, 0, 0)).distances.item(), 9)
+        2.0
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point; and on borders and edges between pieces, in
+        corners and poles, the minima and maxima of the distance from the patch.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of u, then v, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where such places are a curve, as from the
+            center of a sphere.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sherbrooke and Patrikalakis 1993.
+        """
     def rays(
         self,
         origins: ArrayLike,
@@ -1373,38 +10302,510 @@ class BezierPatch:
         limits: tuple[float, float] = ...,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> RayHits: ...
+    ) -> RayHits:
+        """Find where rays meet the patch.
+
+        Borders, seams and poles count once each; a patch that crosses itself is met on each of its sheets. No
+        place is lost: a ray that touches the patch, lies on it or goes through a pole is decided by
+        `patch_intersections`. A ray has the same result in any batch.
+
+        Parameters
+        ----------
+        origins : array_like
+            Points (..., 3) where rays start.
+        directions : array_like
+            Vectors (..., 3); they broadcast with the origins.
+        hits : {'first', 'all'}, default 'first'
+            The first place of each ray, or all places.
+        limits : tuple (float, float), default ...
+            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        RayHits
+            The places: arrays of the shape of the rays with 'first', NaN where a ray misses; of shape
+            (n,) with 'all'.
+
+        Raises
+        ------
+        InvalidShape
+            If a ray is not finite, has no direction, starts too far away, or cannot be decided; the
+            message names it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Kajiya 1982; Nishita, Sederberg and Kakimoto 1990.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.rays([(-3, 0, 0.5)], [(1, 0, 0)])
+        >>> round(found.along[0].item(), 9), found.patches.tolist()
+        (2.133974596, [0])
+        """
     def sections(
         self, other: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets another one.
+
+        A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts
+        that both have in common the borders are given.
+
+        Parameters
+        ----------
+        other : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of a curve from both patches, a length; by default 2^-20 of the size of
+            both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, their images in the parameters of both patches, and points where the patches
+            touch.
+
+        Raises
+        ------
+        InvalidShape
+            If too many pairs of parts are not apart, as where patches are nearly one, or both run through
+            infinity.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sinha, Klassen and Wang 1985; Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> wall = sc.build.plane((-2, -2, 0.5), (4, 0, 0), (0, 4, 0))
+        >>> found = sphere.sections(wall, 1e-6)
+        >>> abs(found.curves[0].length() - np.pi * 3**0.5) < 1e-5
+        True
+        """
     def plane_sections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets a plane.
+
+        Images on the plane are in its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance of a curve from the patch, a length; by default 2^-20 of its size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, as of `sections`.
+
+        Raises
+        ------
+        InvalidShape
+            If the normal is zero, and as of `sections`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.plane_sections((0, 0, 0.5), (0, 0, 1))
+        >>> bool(found.closed[0])
+        True
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n, 2).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where such places are a curve.
+        Cancelled
+            If `cancel` returned true.
+        """
     def rebuild(
         self,
         counts: SupportsIndex | tuple[SupportsIndex, SupportsIndex],
         degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] | None = None,
         *,
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
+    ) -> Approximation[NurbsPatch]:
+        """Approximate by a polynomial patch with even knots over the same domain.
+
+        It is nearest first along u, then along v. Corners stay; periodic directions stay periodic.
+
+        Parameters
+        ----------
+        counts : int or a pair of these
+            Numbers of control points in u and v, or one for both.
+        degrees : int or a pair of these, optional
+            Degrees in u and v, or one for both; by default those of the patch.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If a count is below the number that the degree needs.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S17, S20.
+        """
     def fair(
         self, tolerance: float, *,
         ends: Literal["points", "tangents"] | tuple[Literal["points", "tangents"], Literal["points", "tangents"]] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
-    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]: ...
-    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures: ...
-    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float: ...
+    ) -> Approximation[NurbsPatch]:
+        """Smooth the patch within a tolerance.
+
+        Knots, weights and borders stay; the energy of a thin plate becomes as small as the tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
+            Whether borders stay, or the derivatives across them too; a pair for u and v.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and a degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Greiner 1994; lecture row S17.
+        """
+    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
+        """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
+
+        The unit normal points along S_u x S_v; at a pole it is its limit, and the second form is NaN where it
+        has none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Arrays (..., 2, 2) of [[E, F], [F, G]] and [[L, M], [M, N]].
+
+        Raises
+        ------
+        InvalidShape
+            If a form is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
+        """Measure the curvatures at pairs of parameters, which broadcast.
+
+        Positive where the patch bends towards its normal. At a pole they are those on which all lines through
+        it agree; NaN where they do not, as at the tip of a cone.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        Curvatures
+            Gaussian, mean and principal curvatures, and principal directions.
+
+        Raises
+        ------
+        InvalidShape
+            If a curvature is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 2.0)
+        >>> round(sphere.curvatures(0.5, 1.0).gauss.item(), 9)
+        0.25
+        """
+    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float:
+        """Measure the area.
+
+        Adaptive quadrature of Gauss and Kronrod on every pair of spans.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If weights differ too much in size.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.area() / np.pi, 9)
+        4.0
+        """
     def flux(
         self, field: Callable[[_Floats], ArrayLike], *, tolerance: float = 1e-12, cancel: _Cancel | None = None
-    ) -> float: ...
-    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def isocurve(self, axis: _Axis, at: float) -> BezierCurve: ...
-    def boundary(self, side: _Border) -> BezierCurve: ...
+    ) -> float:
+        """Measure the flux of a vector field through the surface.
+
+        Positive where the field flows to the side of the normals, S_u x S_v of each patch. The surface may be
+        open.
+
+        Parameters
+        ----------
+        field : callable
+            A smooth function that takes points (n, 3) and gives vectors (n, 3); it is called with
+            thousands of points at once.
+        tolerance : float, default 1e-12
+            The largest error, relative to the integral of |field · normal|.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The integral of field · normal.
+
+        Raises
+        ------
+        InvalidShape
+            If values of the field have another shape or are not finite.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work, as where the field jumps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.flux(lambda points: points) / np.pi, 9)      # three times the volume
+        4.0
+        """
+    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the centroid of the surface, as of a thin shell.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the surface has no area.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the smallest box along the axes that contains the surface.
+
+        Not that of the control points. Branch and bound on Bezier pieces.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            How much too small the box may be, relative to the largest coordinate.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is not positive.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too many pieces.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).bounding_box().round(9).tolist()
+        [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]
+        """
+    def isocurve(self, axis: _Axis, at: float) -> BezierCurve:
+        """Extract the curve along which one parameter is constant.
+
+        At a knot it is the value of the patch from there on. A periodic direction takes any parameter.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction whose parameter is constant.
+        at : float
+            The parameter.
+
+        Returns
+        -------
+        BezierCurve
+            The exact curve on the knots of the other direction; a Bezier curve of a Bezier patch.
+
+        Raises
+        ------
+        InvalidShape
+            If `at` is outside the domain, or the whole curve lies at infinity.
+
+        References
+        ----------
+        The NURBS Book, 3.4; lecture rows S18, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> equator = sphere.isocurve("v", 1.0)
+        >>> round(equator.length() / (2 * np.pi), 9)
+        1.0
+        """
+    def boundary(self, side: _Border) -> BezierCurve:
+        """Extract the curve along a side; of a periodic direction its seam.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side.
+
+        Returns
+        -------
+        BezierCurve
+            The exact curve, as of `isocurve`.
+
+        Raises
+        ------
+        InvalidShape
+            If the whole side lies at infinity.
+
+        References
+        ----------
+        Lecture rows S20, S21.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.boundary("v_end").points.tolist()
+        [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -1412,11 +10813,90 @@ class BezierPatch:
         other_side: _Border,
         tolerance: float = 1e-8,
         reversed: bool | None = None,
-    ) -> SeamContinuity: ...
-    def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> BezierPatch: ...
+    ) -> SeamContinuity:
+        """Measure the continuity between a side of this patch and one of another, as `seam_continuity` does.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        tolerance : float, default 1e-08
+            Angles and relative differences below it count as none.
+        reversed : bool, optional
+            Whether the second side runs against the first one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        SeamContinuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S16, S21.
+        """
+    def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> BezierPatch:
+        """Raise the degree in one direction without changing the patch.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        times : int, default 1
+            By how much.
+
+        Returns
+        -------
+        BezierPatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        The NURBS Book, eq. 5.36; lecture row S19.
+        """
     def reduce(
         self, axis: _Axis, times: SupportsIndex = 1, tolerance: float | None = None
-    ) -> Approximation[BezierPatch]: ...
+    ) -> Approximation[BezierPatch]:
+        """Lower the degree in one direction, with the same ends.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        times : int, default 1
+            By how much.
+        tolerance : float, optional
+            The largest error allowed, a length; by default any.
+
+        Returns
+        -------
+        Approximation of BezierPatch
+            The new patch, and an upper bound of the distance, at most 2 % above it.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        ToleranceNotReached
+            If the error exceeds the tolerance.
+
+        References
+        ----------
+        Lachance 1988; lecture row S19.
+        """
     def dragged(
         self,
         u: float,
@@ -1427,8 +10907,58 @@ class BezierPatch:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> BezierPatch: ...
-    def dumps(self) -> str: ...
+    ) -> BezierPatch:
+        """Move the point at a pair of parameters by moving the control points as little as possible.
+
+        As `NurbsCurve.dragged`. Points that lie in one place move together, so that seams and poles stay
+        closed.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point in u.
+        v : float
+            The parameter of the point in v.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_u_by : array_like, optional
+            Vector (3,) added to the derivative along u; zero keeps it, None leaves it free.
+        tangent_v_by : array_like, optional
+            The same along v.
+        factors : array_like, optional
+            Factors (nu, nv) of how easily each control point moves; 0 holds it.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        BezierPatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        References
+        ----------
+        The NURBS Book, 11.5.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> plane.dragged(0.5, 0.5, (0, 0, 1)).evaluate(0.5, 0.5).round(9)
+        array([0.5, 0.5, 1. ])
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> BezierPatch: ...
@@ -1436,7 +10966,32 @@ class BezierPatch:
 
 @final
 class HermitePatch:
-    """A grid of bicubic patches with given points, derivatives and twists."""
+    """A grid of bicubic patches through points with given derivatives.
+
+    Immutable; arrays that it gives are read-only views.
+
+    Parameters
+    ----------
+    points : array_like
+        Points (nu, nv, 2 or 3), in any unit of length.
+    tangents_u : array_like
+        Derivatives (nu, nv, 2 or 3) along u.
+    tangents_v : array_like
+        Derivatives (nu, nv, 2 or 3) along v.
+    twists : array_like, optional
+        Mixed derivatives (nu, nv, 2 or 3), 0 where none are given (Ferguson's patch).
+    parameters : sequence of array_like or None, optional
+        Increasing parameters (nu,) and (nv,); 0, 1, 2, … where none are given.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S20.
+    """
 
     def __init__(
         self,
@@ -1447,21 +11002,29 @@ class HermitePatch:
         parameters: Sequence[ArrayLike | None] | None = None,
     ) -> None: ...
     @property
-    def degree(self) -> tuple[int, int]: ...
+    def degree(self) -> tuple[int, int]:
+        """Degrees in u and in v."""
     @property
-    def domain(self) -> tuple[_Interval, _Interval]: ...
+    def domain(self) -> tuple[_Interval, _Interval]:
+        """Domains ((start, end) of u, (start, end) of v)."""
     @property
-    def is_rational(self) -> bool: ...
+    def is_rational(self) -> bool:
+        """True unless every weight is 1."""
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """Points (nu, nv, 3) float64, read-only."""
     @property
-    def tangents_u(self) -> _Floats: ...
+    def tangents_u(self) -> _Floats:
+        """Derivatives (nu, nv, 3) float64 along u, read-only."""
     @property
-    def tangents_v(self) -> _Floats: ...
+    def tangents_v(self) -> _Floats:
+        """Derivatives (nu, nv, 3) float64 along v, read-only."""
     @property
-    def twists(self) -> _Floats: ...
+    def twists(self) -> _Floats:
+        """Mixed derivatives (nu, nv, 3) float64, read-only."""
     @property
-    def parameters(self) -> tuple[_Floats, _Floats]: ...
+    def parameters(self) -> tuple[_Floats, _Floats]:
+        """Parameters (nu,) of u and (nv,) of v: read-only float64 arrays."""
     def evaluate(
         self,
         u: ArrayLike,
@@ -1473,7 +11036,56 @@ class HermitePatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of the patch at pairs of parameters.
+
+        Parameters broadcast. A pair has the same result in every bit in a batch of any shape.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u; a periodic direction takes any, modulo its period.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (..., 3) of the same units as the control points; float32 where `dtype` or `out` ask
+            for it.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> sphere.evaluate(0.0, [0.0, 1.0, 2.0]).round(12).tolist()
+        [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+        """
     def evaluate_grid(
         self,
         u: ArrayLike,
@@ -1485,7 +11097,53 @@ class HermitePatch:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points at every pair of parameters.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.evaluate_grid([0.0, 0.5, 1.0], [0.0, 1.0]).shape
+        (3, 2, 3)
+        """
     def evaluate_grid_with_normals(
         self,
         u: ArrayLike,
@@ -1497,7 +11155,57 @@ class HermitePatch:
         out: tuple[_Points, _Points] | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> tuple[_Points, _Points]: ...
+    ) -> tuple[_Points, _Points]:
+        """Evaluate points and unit normals at every pair of parameters.
+
+        Normals point along S_u x S_v; at a pole or a collapsed edge they are the limit from inside the
+        domain, NaN where there is none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in u.
+        v : array_like
+            Parameters (b,) in v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : tuple (numpy.ndarray, numpy.ndarray), optional
+            Two C-contiguous arrays (a, b, 3) to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Points and normals, both (a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> points, normals = plane.evaluate_grid_with_normals([0.5], [0.5])
+        >>> normals.tolist()
+        [[[0.0, 0.0, 1.0]]]
+        """
     def derivatives(
         self,
         u: ArrayLike,
@@ -1509,7 +11217,54 @@ class HermitePatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
+    ) -> _Floats:
+        """Evaluate mixed derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        order : int
+            Highest order of derivatives along u and along v.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1, order + 1, 3): `[..., k, l, :]` is derived k times along u, l times
+            along v.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        The NURBS Book, A4.4.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.derivatives(0.5, 0.5, 1)[1, 0].tolist()
+        [2.0, 0.0, 0.0]
+        """
     def first_derivatives(
         self,
         u: ArrayLike,
@@ -1520,24 +11275,323 @@ class HermitePatch:
         out: _Floats | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Floats: ...
-    def split(self, axis: _Axis, u: float) -> tuple[HermitePatch, HermitePatch]: ...
-    def transformed(self, matrix: ArrayLike) -> HermitePatch: ...
-    def translated(self, by: ArrayLike) -> HermitePatch: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermitePatch: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermitePatch: ...
-    def reversed(self, axis: _Axis) -> HermitePatch: ...
-    def swapped(self) -> HermitePatch: ...
-    def to_bezier(self) -> list[list[BezierPatch]]: ...
-    def to_hermite(self) -> HermitePatch: ...
-    def to_nurbs(self) -> NurbsPatch: ...
+    ) -> _Floats:
+        """Evaluate points and first derivatives at pairs of parameters, which broadcast.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., 3, 3) of S, S_u and S_v, with the bits of `derivatives`.
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside the domain, or a derivative is too large for a number.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def split(self, axis: _Axis, u: float) -> tuple[HermitePatch, HermitePatch]:
+        """Cut the patch at a parameter of one direction.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+        u : float
+            A parameter inside the domain of the direction.
+
+        Returns
+        -------
+        tuple (HermitePatch, HermitePatch)
+            (before, after); of a periodic direction (opened,), cut at u.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> [round(part.area(), 9) for part in plane.split("u", 0.25)]
+        [1.0, 3.0]
+        """
+    def transformed(self, matrix: ArrayLike) -> HermitePatch:
+        """Apply a linear, affine or projective map.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        HermitePatch
+            The image of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S9, S20.
+        """
+    def translated(self, by: ArrayLike) -> HermitePatch:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        HermitePatch
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermitePatch:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        HermitePatch
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermitePatch:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        HermitePatch
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
+    def reversed(self, axis: _Axis) -> HermitePatch:
+        """Reverse one direction; normals are turned over.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction of the patch.
+
+        Returns
+        -------
+        HermitePatch
+            The same surface.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def swapped(self) -> HermitePatch:
+        """Exchange u and v; normals are turned over.
+
+        Returns
+        -------
+        HermitePatch
+            The same surface.
+        """
+    def to_bezier(self) -> list[list[BezierPatch]]:
+        """Convert to Bezier patches, one for each pair of spans.
+
+        Returns
+        -------
+        list of list of BezierPatch
+            Rows along u of lists along v.
+
+        Examples
+        --------
+        >>> rows = sc.build.sphere((0, 0, 0), 1.0).to_bezier()
+        >>> len(rows), len(rows[0])
+        (4, 2)
+        """
+    def to_hermite(self) -> HermitePatch:
+        """Convert to a grid of bicubic Hermite patches.
+
+        Returns
+        -------
+        HermitePatch
+            The same patch.
+
+        Raises
+        ------
+        InvalidShape
+            If it is rational, of degree above 3 or not C1 inside.
+        """
+    def to_nurbs(self) -> NurbsPatch:
+        """Convert to a bicubic NURBS patch with triple knots.
+
+        Returns
+        -------
+        NurbsPatch
+            The same patch.
+        """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find the nearest point of the patch to each of several points.
+
+        The global minimum: borders, corners and poles are included. Of several places at one distance the one
+        with the smallest u, then v, is taken; where a whole curve of places is as near, any of them. Where
+        the patch passes through infinity its finite part counts. A point has the same result in any batch.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            Parameters (..., 2), points and distances, right to a few roundings of the size of the patch.
+
+        Raises
+        ------
+        InvalidShape
+            If a point is not finite, or more than 2^18 parts may hold the nearest point.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.nearest((3, 0, 0)).distances.item(), 9)
+        2.0
+        """
     def least_distance(
         self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> LeastDistance: ...
-    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints: ...
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch
+            A curve or patch of any kind.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
+        """
+    def stationary_points(self, point: ArrayLike, *, cancel: _Cancel | None = None) -> StationaryPoints:
+        """Find all places where the distance from a point is stationary.
+
+        These are the feet of all normals through the point; and on borders and edges between pieces, in
+        corners and poles, the minima and maxima of the distance from the patch.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        StationaryPoints
+            The places in the order of u, then v, each once.
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite or too far away, or where such places are a curve, as from the
+            center of a sphere.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sherbrooke and Patrikalakis 1993.
+        """
     def rays(
         self,
         origins: ArrayLike,
@@ -1547,38 +11601,510 @@ class HermitePatch:
         limits: tuple[float, float] = ...,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> RayHits: ...
+    ) -> RayHits:
+        """Find where rays meet the patch.
+
+        Borders, seams and poles count once each; a patch that crosses itself is met on each of its sheets. No
+        place is lost: a ray that touches the patch, lies on it or goes through a pole is decided by
+        `patch_intersections`. A ray has the same result in any batch.
+
+        Parameters
+        ----------
+        origins : array_like
+            Points (..., 3) where rays start.
+        directions : array_like
+            Vectors (..., 3); they broadcast with the origins.
+        hits : {'first', 'all'}, default 'first'
+            The first place of each ray, or all places.
+        limits : tuple (float, float), default ...
+            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        RayHits
+            The places: arrays of the shape of the rays with 'first', NaN where a ray misses; of shape
+            (n,) with 'all'.
+
+        Raises
+        ------
+        InvalidShape
+            If a ray is not finite, has no direction, starts too far away, or cannot be decided; the
+            message names it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Kajiya 1982; Nishita, Sederberg and Kakimoto 1990.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.rays([(-3, 0, 0.5)], [(1, 0, 0)])
+        >>> round(found.along[0].item(), 9), found.patches.tolist()
+        (2.133974596, [0])
+        """
     def sections(
         self, other: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets another one.
+
+        A curve ends at borders, at poles, where patches that cross touch and where one is folded. Of parts
+        that both have in common the borders are given.
+
+        Parameters
+        ----------
+        other : patch
+            A patch of any kind.
+        tolerance : float, optional
+            The largest distance of a curve from both patches, a length; by default 2^-20 of the size of
+            both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, their images in the parameters of both patches, and points where the patches
+            touch.
+
+        Raises
+        ------
+        InvalidShape
+            If too many pairs of parts are not apart, as where patches are nearly one, or both run through
+            infinity.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Sinha, Klassen and Wang 1985; Sederberg and Meyers 1988; lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> wall = sc.build.plane((-2, -2, 0.5), (4, 0, 0), (0, 4, 0))
+        >>> found = sphere.sections(wall, 1e-6)
+        >>> abs(found.curves[0].length() - np.pi * 3**0.5) < 1e-5
+        True
+        """
     def plane_sections(
         self, origin: ArrayLike, normal: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Sections: ...
+    ) -> Sections:
+        """Find the curves along which the patch meets a plane.
+
+        Images on the plane are in its coordinates, with axes by the rule of DXF files: x and y where the
+        normal is z.
+
+        Parameters
+        ----------
+        origin : array_like
+            Point (3,) of the plane.
+        normal : array_like
+            Vector (3,) at right angles to the plane.
+        tolerance : float, optional
+            The largest distance of a curve from the patch, a length; by default 2^-20 of its size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Sections
+            The curves, as of `sections`.
+
+        Raises
+        ------
+        InvalidShape
+            If the normal is zero, and as of `sections`.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S18.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> found = sphere.plane_sections((0, 0, 0.5), (0, 0, 1))
+        >>> bool(found.closed[0])
+        True
+        """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
-    ) -> Nearest: ...
+    ) -> Nearest:
+        """Find all places where the distance from a point is a minimum that is nearly the least one.
+
+        Parameters
+        ----------
+        point : array_like
+            Point (2 or 3,).
+        tolerance : float, optional
+            By how much the distance may exceed the least one, a length; by default a few roundings.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Nearest
+            The places in the order of their parameters (n, 2).
+
+        Raises
+        ------
+        InvalidShape
+            If the point is not finite, or where such places are a curve.
+        Cancelled
+            If `cancel` returned true.
+        """
     def rebuild(
         self,
         counts: SupportsIndex | tuple[SupportsIndex, SupportsIndex],
         degrees: SupportsIndex | tuple[SupportsIndex, SupportsIndex] | None = None,
         *,
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
+    ) -> Approximation[NurbsPatch]:
+        """Approximate by a polynomial patch with even knots over the same domain.
+
+        It is nearest first along u, then along v. Corners stay; periodic directions stay periodic.
+
+        Parameters
+        ----------
+        counts : int or a pair of these
+            Numbers of control points in u and v, or one for both.
+        degrees : int or a pair of these, optional
+            Degrees in u and v, or one for both; by default those of the patch.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            If a count is below the number that the degree needs.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S17, S20.
+        """
     def fair(
         self, tolerance: float, *,
         ends: Literal["points", "tangents"] | tuple[Literal["points", "tangents"], Literal["points", "tangents"]] = "points",
         cancel: _Cancel | None = None,
-    ) -> Approximation[NurbsPatch]: ...
-    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]: ...
-    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures: ...
-    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float: ...
+    ) -> Approximation[NurbsPatch]:
+        """Smooth the patch within a tolerance.
+
+        Knots, weights and borders stay; the energy of a thin plate becomes as small as the tolerance allows.
+
+        Parameters
+        ----------
+        tolerance : float
+            The largest distance at equal parameters, a length above 0.
+        ends : {'points', 'tangents'} or a pair of these, default 'points'
+            Whether borders stay, or the derivatives across them too; a pair for u and v.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Approximation of NurbsPatch
+            The new patch, and the largest distance at equal parameters, at most 2 % above the truth.
+
+        Raises
+        ------
+        InvalidShape
+            Unless the tolerance is positive and a degree is 2 at least.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Greiner 1994; lecture row S17.
+        """
+    def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
+        """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
+
+        The unit normal points along S_u x S_v; at a pole it is its limit, and the second form is NaN where it
+        has none.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Arrays (..., 2, 2) of [[E, F], [F, G]] and [[L, M], [M, N]].
+
+        Raises
+        ------
+        InvalidShape
+            If a form is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
+        """Measure the curvatures at pairs of parameters, which broadcast.
+
+        Positive where the patch bends towards its normal. At a pole they are those on which all lines through
+        it agree; NaN where they do not, as at the tip of a cone.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (...,) in u.
+        v : array_like
+            Parameters in v, as `u`.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+
+        Returns
+        -------
+        Curvatures
+            Gaussian, mean and principal curvatures, and principal directions.
+
+        Raises
+        ------
+        InvalidShape
+            If a curvature is too large for a number.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 2.0)
+        >>> round(sphere.curvatures(0.5, 1.0).gauss.item(), 9)
+        0.25
+        """
+    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float:
+        """Measure the area.
+
+        Adaptive quadrature of Gauss and Kronrod on every pair of spans.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If weights differ too much in size.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.area() / np.pi, 9)
+        4.0
+        """
     def flux(
         self, field: Callable[[_Floats], ArrayLike], *, tolerance: float = 1e-12, cancel: _Cancel | None = None
-    ) -> float: ...
-    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def isocurve(self, axis: _Axis, at: float) -> NurbsCurve: ...
-    def boundary(self, side: _Border) -> NurbsCurve: ...
+    ) -> float:
+        """Measure the flux of a vector field through the surface.
+
+        Positive where the field flows to the side of the normals, S_u x S_v of each patch. The surface may be
+        open.
+
+        Parameters
+        ----------
+        field : callable
+            A smooth function that takes points (n, 3) and gives vectors (n, 3); it is called with
+            thousands of points at once.
+        tolerance : float, default 1e-12
+            The largest error, relative to the integral of |field · normal|.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The integral of field · normal.
+
+        Raises
+        ------
+        InvalidShape
+            If values of the field have another shape or are not finite.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work, as where the field jumps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.flux(lambda points: points) / np.pi, 9)      # three times the volume
+        4.0
+        """
+    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the centroid of the surface, as of a thin shell.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the surface has no area.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the smallest box along the axes that contains the surface.
+
+        Not that of the control points. Branch and bound on Bezier pieces.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            How much too small the box may be, relative to the largest coordinate.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is not positive.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too many pieces.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).bounding_box().round(9).tolist()
+        [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]
+        """
+    def isocurve(self, axis: _Axis, at: float) -> NurbsCurve:
+        """Extract the curve along which one parameter is constant.
+
+        At a knot it is the value of the patch from there on. A periodic direction takes any parameter.
+
+        Parameters
+        ----------
+        axis : {'u', 'v'}
+            The direction whose parameter is constant.
+        at : float
+            The parameter.
+
+        Returns
+        -------
+        NurbsCurve
+            The exact curve on the knots of the other direction; a Bezier curve of a Bezier patch.
+
+        Raises
+        ------
+        InvalidShape
+            If `at` is outside the domain, or the whole curve lies at infinity.
+
+        References
+        ----------
+        The NURBS Book, 3.4; lecture rows S18, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> equator = sphere.isocurve("v", 1.0)
+        >>> round(equator.length() / (2 * np.pi), 9)
+        1.0
+        """
+    def boundary(self, side: _Border) -> NurbsCurve:
+        """Extract the curve along a side; of a periodic direction its seam.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side.
+
+        Returns
+        -------
+        NurbsCurve
+            The exact curve, as of `isocurve`.
+
+        Raises
+        ------
+        InvalidShape
+            If the whole side lies at infinity.
+
+        References
+        ----------
+        Lecture rows S20, S21.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.boundary("v_end").points.tolist()
+        [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -1586,7 +12112,36 @@ class HermitePatch:
         other_side: _Border,
         tolerance: float = 1e-8,
         reversed: bool | None = None,
-    ) -> SeamContinuity: ...
+    ) -> SeamContinuity:
+        """Measure the continuity between a side of this patch and one of another, as `seam_continuity` does.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        tolerance : float, default 1e-08
+            Angles and relative differences below it count as none.
+        reversed : bool, optional
+            Whether the second side runs against the first one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        SeamContinuity
+            The continuity.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        References
+        ----------
+        Lecture rows S16, S21.
+        """
     def dragged(
         self,
         u: float,
@@ -1597,14 +12152,51 @@ class HermitePatch:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> HermitePatch: ...
-    def dumps(self) -> str: ...
+    ) -> HermitePatch:
+        """Move the point at a pair of parameters by moving points, tangents and twists as little as possible.
+
+        As `NurbsPatch.dragged`. Tangents are measured at a third of the span, twists at a ninth.
+
+        Parameters
+        ----------
+        u : float
+            The parameter of the point in u.
+        v : float
+            The parameter of the point in v.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_u_by : array_like, optional
+            Vector (3,) added to the derivative along u; zero keeps it, None leaves it free.
+        tangent_v_by : array_like, optional
+            The same along v.
+        factors : array_like, optional
+            Factors (4, nu, nv) of points, tangents along u, along v, and twists; 0 holds one.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        HermitePatch
+            The new patch.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> HermitePatch: ...
     def __deepcopy__(self, memo: object, /) -> HermitePatch: ...
-
-_Patch = BezierPatch | HermitePatch | NurbsPatch
 
 class _PatchFields(TypedDict, total=False):
     kind: Literal["bezier", "hermite", "nurbs"]
@@ -1616,7 +12208,38 @@ class _PatchFields(TypedDict, total=False):
 
 @final
 class PatchSet:
-    """Many patches on one pool of points with weights, which neighbors share."""
+    """Patches on one pool of control points, which neighbors share.
+
+    Immutable; `len`, indices and loops give the patches.
+
+    Parameters
+    ----------
+    points : array_like
+        Pool of points (n, 2 or 3), in any unit of length.
+    patches : sequence of _PatchFields or array_like
+        For each patch an array (nu, nv) of rows of the pool (a Bezier patch), or a dict: kind
+        ('bezier', 'hermite' or 'nurbs'), indices, and for NURBS the pairs degree, knots and periodic,
+        for Hermite the pair parameters and indices (4, nu, nv) of points (w = 1), tangents along u,
+        along v and twists (w = 0).
+    weights : array_like, optional
+        Weights (n,) of the pool, 1 where none are given.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S20.
+
+    Examples
+    --------
+    >>> pool = [(0, 0, 0), (1, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 0), (2, 1, 0)]
+    >>> patches = sc.PatchSet(pool, [[[0, 3], [1, 4]], [[1, 4], [2, 5]]])
+    >>> len(patches), round(patches.area(), 9)
+    (2, 2.0)
+    """
 
     def __init__(
         self,
@@ -1625,14 +12248,62 @@ class PatchSet:
         weights: ArrayLike | None = None,
     ) -> None: ...
     @staticmethod
-    def from_patches(patches: Sequence[_Patch], merge: bool = True) -> PatchSet: ...
+    def from_patches(patches: Sequence[_Patch], merge: bool = True) -> PatchSet:
+        """Make a set of patches.
+
+        Parameters
+        ----------
+        patches : sequence of patches
+            Patches of any kinds.
+        merge : bool, default True
+            Whether points that are equal in every bit become one.
+
+        Returns
+        -------
+        PatchSet
+            The set.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> sc.PatchSet.from_patches([a, b]).points.shape
+        (6, 3)
+        """
     @property
-    def points(self) -> _Floats: ...
+    def points(self) -> _Floats:
+        """The pool (n, 3) float64, read-only."""
     @property
-    def weights(self) -> _Floats: ...
+    def weights(self) -> _Floats:
+        """Weights (n,) float64 of the pool, read-only."""
     @property
-    def patches(self) -> list[dict[str, Any]]: ...
-    def with_points(self, points: ArrayLike, weights: ArrayLike | None = None) -> PatchSet: ...
+    def patches(self) -> list[dict[str, Any]]:
+        """A dict for each patch, as the constructor takes them."""
+    def with_points(self, points: ArrayLike, weights: ArrayLike | None = None) -> PatchSet:
+        """Replace the pool, keep the patches.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (n, 2 or 3).
+        weights : array_like, optional
+            Weights (n,); kept unless given. A pool of another size needs them.
+
+        Returns
+        -------
+        PatchSet
+            The new set.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def evaluate_grid(
         self,
         u: ArrayLike,
@@ -1644,7 +12315,43 @@ class PatchSet:
         out: _Points | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> _Points: ...
+    ) -> _Points:
+        """Evaluate points of every patch at every pair of parameters.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in the domain of every patch.
+        v : array_like
+            Parameters (b,) in the domain of every patch.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : numpy.ndarray, optional
+            A C-contiguous array of the result's shape to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Points (patches, a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside a domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+        """
     def evaluate_grid_with_normals(
         self,
         u: ArrayLike,
@@ -1656,15 +12363,162 @@ class PatchSet:
         out: tuple[_Points, _Points] | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> tuple[_Points, _Points]: ...
-    def transformed(self, matrix: ArrayLike) -> PatchSet: ...
-    def translated(self, by: ArrayLike) -> PatchSet: ...
-    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PatchSet: ...
-    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PatchSet: ...
+    ) -> tuple[_Points, _Points]:
+        """Evaluate points and unit normals of every patch at every pair of parameters.
+
+        Parameters
+        ----------
+        u : array_like
+            Parameters (a,) in the domain of every patch.
+        v : array_like
+            Parameters (b,) in the domain of every patch.
+        side : {'left', 'right'} or a pair of these, default 'right'
+            At knots, the value from the right or from the left; a pair for u and v.
+        at_infinity : {'raise', 'nan'}, default 'raise'
+            Where the weight is zero: raise PointAtInfinity, or mark the point with NaN.
+        dtype : dtype_like, optional
+            float64 or float32.
+        out : tuple (numpy.ndarray, numpy.ndarray), optional
+            Two C-contiguous arrays (patches, a, b, 3) to write into.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Points and normals, both (patches, a, b, 3).
+
+        Raises
+        ------
+        InvalidShape
+            If a parameter lies outside a domain by more than 4 ulp.
+        PointAtInfinity
+            Where the weight is zero, unless `at_infinity` is 'nan'.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def transformed(self, matrix: ArrayLike) -> PatchSet:
+        """Apply a linear, affine or projective map to all points.
+
+        Under a projective map the weights change; a point that goes to infinity gets the weight 0.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        PatchSet
+            The image of the set.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def translated(self, by: ArrayLike) -> PatchSet:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        PatchSet
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PatchSet:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        PatchSet
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PatchSet:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        PatchSet
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+        """
     @property
-    def is_closed(self) -> bool: ...
-    def oriented(self, *, cancel: _Cancel | None = None) -> PatchSet: ...
-    def flipped(self) -> PatchSet: ...
+    def is_closed(self) -> bool:
+        """Whether no side is free: each is a pole, lies across a closed direction, or lies on another side."""
+    def oriented(self, *, cancel: _Cancel | None = None) -> PatchSet:
+        """Turn patches so that normals agree across common edges, and point outwards where the set is closed.
+
+        A patch that is turned has u and v exchanged, on the same pool of points. Of open patches that hang
+        together the first one stays.
+
+        Parameters
+        ----------
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        PatchSet
+            The same surfaces.
+
+        Raises
+        ------
+        InvalidShape
+            If more than two sides meet at an edge, or the surface has one side only, as a Moebius band;
+            the message names the edge.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+        """
+    def flipped(self) -> PatchSet:
+        """Turn all normals over by exchanging u and v of every patch.
+
+        Returns
+        -------
+        PatchSet
+            The same surfaces.
+        """
     def rays(
         self,
         origins: ArrayLike,
@@ -1674,21 +12528,327 @@ class PatchSet:
         limits: tuple[float, float] = ...,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> RayHits: ...
-    def edge_counts(self) -> dict[str, int]: ...
-    def seams(self) -> list[tuple[tuple[int, _Border], tuple[int, _Border]]]: ...
+    ) -> RayHits:
+        """Find where rays meet the patches.
+
+        As `rays` of a patch, with the number of the patch at each place. Of patches that are met at one place
+        the first one counts with 'first'; all do with 'all'.
+
+        Parameters
+        ----------
+        origins : array_like
+            Points (..., 3) where rays start.
+        directions : array_like
+            Vectors (..., 3); they broadcast with the origins.
+        hits : {'first', 'all'}, default 'first'
+            The first place of each ray, or all places.
+        limits : tuple (float, float), default ...
+            Where to look along each ray, in multiples of its direction.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        RayHits
+            The places.
+
+        Raises
+        ------
+        InvalidShape
+            If a ray is not finite, has no direction, starts too far away, or cannot be decided; the
+            message names it.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Kajiya 1982; Nishita, Sederberg and Kakimoto 1990.
+        """
+    def edge_counts(self) -> dict[str, int]:
+        """Count how the sides of the patches meet.
+
+        An edge counts once, however many sides lie on it. Two sides are one edge where they are one curve at
+        equal scaled parameters, to 1e-10 of the extent of the larger patch, whatever their degrees and knots.
+        A pole is a side that is one point.
+
+        Returns
+        -------
+        dict of str
+            Numbers of edges by kind: 'shared', 'free' and 'pole'.
+
+        Examples
+        --------
+        >>> sphere = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> sphere.edge_counts() == {"shared": 1, "free": 0, "pole": 2}
+        True
+        """
+    def seams(self) -> list[tuple[tuple[int, _Border], tuple[int, _Border]]]:
+        """List the whole sides that are one edge.
+
+        Returns
+        -------
+        list of tuple (tuple (int, {'u_start', 'u_end', 'v_start', 'v_end'}), tuple (int, {'u_start', 'u_end', 'v_start', 'v_end'}))
+            Pairs of (number of a patch, side).
+        """
     def __len__(self) -> int: ...
     def __getitem__(self, i: SupportsIndex) -> _Patch: ...
-    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float: ...
+    def area(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float:
+        """Measure the area.
+
+        Adaptive quadrature of Gauss and Kronrod on every pair of spans.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The area, in square units of the points.
+
+        Raises
+        ------
+        InvalidShape
+            If weights differ too much in size.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work; the message names an error that can be had.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.area() / np.pi, 9)
+        4.0
+        """
     def flux(
         self, field: Callable[[_Floats], ArrayLike], *, tolerance: float = 1e-12, cancel: _Cancel | None = None
-    ) -> float: ...
-    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
-    def volume(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float: ...
-    def centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats: ...
+    ) -> float:
+        """Measure the flux of a vector field through the surface.
+
+        Positive where the field flows to the side of the normals, S_u x S_v of each patch. The surface may be
+        open.
+
+        Parameters
+        ----------
+        field : callable
+            A smooth function that takes points (n, 3) and gives vectors (n, 3); it is called with
+            thousands of points at once.
+        tolerance : float, default 1e-12
+            The largest error, relative to the integral of |field · normal|.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The integral of field · normal.
+
+        Raises
+        ------
+        InvalidShape
+            If values of the field have another shape or are not finite.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work, as where the field jumps.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> round(sphere.flux(lambda points: points) / np.pi, 9)      # three times the volume
+        4.0
+        """
+    def surface_centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the centroid of the surface, as of a thin shell.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the surface has no area.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
+    def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the smallest box along the axes that contains the surface.
+
+        Not that of the control points. Branch and bound on Bezier pieces.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            How much too small the box may be, relative to the largest coordinate.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (2, 3) of the lowest and the highest corner.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is not positive.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too many pieces.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).bounding_box().round(9).tolist()
+        [[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]
+        """
+    def volume(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> float:
+        """Measure the volume that the patches enclose.
+
+        By Gauss's theorem and adaptive quadrature. Sides meet on equal points; a side that is a pole or
+        crosses a periodic direction is closed.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest relative error; rounding of the coordinates may be more.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        float
+            The volume, in cubic units of the points; negative if the normals point inwards.
+
+        Raises
+        ------
+        InvalidShape
+            If a side meets no other, or normals point to the other side beyond it; the message names it.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> round(ball.volume() / np.pi * 3, 9)
+        4.0
+        """
+    def centroid(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
+        """Find the centroid of the solid that the patches enclose.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the volume is zero, and as of `volume`.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
     def second_moments(self, about: ArrayLike | None = None, *, tolerance: float = 1e-12,
-                       cancel: _Cancel | None = None) -> _Floats: ...
+                       cancel: _Cancel | None = None) -> _Floats:
+        """Integrate d d^T over the solid that the patches enclose, where d is the vector from a point.
+
+        The inertia tensor at density 1 is trace(m) * eye(3) - m. All are negative if the normals point
+        inwards.
+
+        Parameters
+        ----------
+        about : array_like, optional
+            Point (3,); by default the centroid.
+        tolerance : float, default 1e-12
+            The largest error, relative to the trace about the centroid.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        numpy.ndarray
+            A symmetric matrix (3, 3), in units of length to the fifth power.
+
+        Raises
+        ------
+        InvalidShape
+            If a moment is too large for a number, and as of `centroid`.
+        PointAtInfinity
+            If a patch runs to infinity.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Lecture rows S19, S20.
+        """
     def dragged(
         self,
         patch: SupportsIndex,
@@ -1700,8 +12860,50 @@ class PatchSet:
         *,
         factors: ArrayLike | None = None,
         locality: float = 0.0,
-    ) -> PatchSet: ...
-    def dumps(self) -> str: ...
+    ) -> PatchSet:
+        """Move the point of a patch by moving the pool as little as possible.
+
+        As `NurbsPatch.dragged`. Shared points move once and neighbors follow, as do points that lie in one
+        place. A tangent or twist that serves several corners stays.
+
+        Parameters
+        ----------
+        patch : int
+            Number of the patch.
+        u : float
+            The parameter of the point in u.
+        v : float
+            The parameter of the point in v.
+        by : array_like
+            Vector (3,) by which the point moves.
+        tangent_u_by : array_like, optional
+            Vector (3,) added to the derivative along u; zero keeps it, None leaves it free.
+        tangent_v_by : array_like, optional
+            The same along v.
+        factors : array_like, optional
+            Factors (n,) of how easily each point of the pool moves; 0 holds it.
+        locality : float, default 0.0
+            The larger it is, the fewer control points follow: factors are multiplied by the influence of
+            a point to this power.
+
+        Returns
+        -------
+        PatchSet
+            The new set.
+
+        Raises
+        ------
+        InvalidShape
+            If nothing that the point depends on may move, or too little to choose the derivatives.
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> PatchSet: ...
@@ -1709,7 +12911,35 @@ class PatchSet:
 
 @final
 class Tessellation:
-    """The mesh of a patch set: everything but positions, for any position of its points."""
+    """The mesh of a patch set: everything but positions, made once and evaluated for any position of the
+    points.
+
+    Vertices are shared along common edges, a pole is one vertex, faces are wound along S_u x S_v.
+
+    Parameters
+    ----------
+    patch_set : PatchSet
+        A set of patches.
+    resolution : int or a pair of these
+        Faces in every span, for u and v or one for both.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    References
+    ----------
+    Lecture row S22.
+
+    Examples
+    --------
+    >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+    >>> mesh = sc.Tessellation(ball, 4)
+    >>> positions, normals = mesh.evaluate(ball)
+    >>> positions.shape == (mesh.vertex_count, 3)
+    True
+    """
 
     def __init__(self, patch_set: PatchSet, resolution: SupportsIndex | tuple[SupportsIndex, SupportsIndex]) -> None: ...
     @staticmethod
@@ -1721,22 +12951,155 @@ class Tessellation:
         smallest: float = 0.0,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
-    ) -> Tessellation: ...
+    ) -> Tessellation:
+        """Make a mesh with as many faces as the shape needs, without cracks along common edges.
+
+        Parameters
+        ----------
+        patch_set : PatchSet
+            A set of patches.
+        tolerance : float, optional
+            A length: no point of the surface lies farther from the mesh. None for any.
+        angle : float, optional
+            Radians: normals on one face are no farther apart. None for any.
+        smallest : float, default 0.0
+            A length: faces that are shorter in a direction are not cut for the angle, as beside poles and
+            around sharp bends.
+        threads : int, default 0
+            How many threads; 0 takes all cores where that is worth it. The result is the same in every
+            bit.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Tessellation
+            The mesh.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        PointAtInfinity
+            If a patch runs to infinity.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Filip, Magedson and Markot 1986; lecture row S22.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> fine = sc.Tessellation.adaptive(ball, tolerance=1e-3)
+        >>> coarse = sc.Tessellation.adaptive(ball, tolerance=1e-1)
+        >>> coarse.vertex_count < fine.vertex_count
+        True
+        """
     @property
-    def vertex_count(self) -> int: ...
+    def vertex_count(self) -> int:
+        """Number of vertices."""
     @property
-    def face_starts(self) -> NDArray[np.int32]: ...
+    def face_starts(self) -> NDArray[np.int32]:
+        """Where the corners of each face start: (f,) int32, read-only."""
     @property
-    def face_patches(self) -> NDArray[np.int32]: ...
+    def face_patches(self) -> NDArray[np.int32]:
+        """The patch of each face: (f,) int32, read-only."""
     @property
-    def corner_vertices(self) -> NDArray[np.int32]: ...
+    def corner_vertices(self) -> NDArray[np.int32]:
+        """The vertex of each corner: (c,) int32, read-only."""
     @property
-    def corner_uvs(self) -> NDArray[np.float32]: ...
-    def fits(self, patch_set: PatchSet, before: PatchSet | None = None) -> bool: ...
-    def evaluate(self, patch_set: PatchSet) -> tuple[NDArray[np.float32], NDArray[np.float32]]: ...
+    def corner_uvs(self) -> NDArray[np.float32]:
+        """Parameters of each corner, scaled to [0, 1]: (c, 2) float32, read-only."""
+    def fits(self, patch_set: PatchSet, before: PatchSet | None = None) -> bool:
+        """Tell whether a set has the same patches, and the same sides lie on one another or are points.
+
+        Parameters
+        ----------
+        patch_set : PatchSet
+            A set of patches.
+        before : PatchSet, optional
+            A set that fits, with the same patches: only changes from it are looked at.
+
+        Returns
+        -------
+        bool
+            Whether it fits.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
+    def evaluate(self, patch_set: PatchSet) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+        """Compute positions and normals for a set with the same patches.
+
+        Whether its sides still lie on one another, `fits` tells.
+
+        Parameters
+        ----------
+        patch_set : PatchSet
+            A set of patches.
+
+        Returns
+        -------
+        tuple (numpy.ndarray, numpy.ndarray)
+            Positions (vertex_count, 3) and corner normals (c, 3), both float32.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        PointAtInfinity
+            If a vertex lies at infinity.
+        """
     def evaluate_positions(self, patch_set: PatchSet, *, before: PatchSet | None = None,
-                           out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...
-    def sharp_edges(self, normals: ArrayLike, angle: float) -> NDArray[np.int32]: ...
+                           out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
+        """Compute positions alone for a set with the same patches.
+
+        Parameters
+        ----------
+        patch_set : PatchSet
+            A set of patches.
+        before : PatchSet, optional
+            The set whose positions `out` has: only what differs is computed, with the same result in
+            every bit.
+        out : numpy.ndarray, optional
+            A float32 array (vertex_count, 3) to write into; after an error its values are undefined.
+
+        Returns
+        -------
+        numpy.ndarray
+            Positions (vertex_count, 3) float32.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        PointAtInfinity
+            If a vertex lies at infinity.
+        """
+    def sharp_edges(self, normals: ArrayLike, angle: float) -> NDArray[np.int32]:
+        """List the edges across which corner normals differ.
+
+        Parameters
+        ----------
+        normals : array_like
+            Corner normals (c, 3), as of `evaluate`.
+        angle : float
+            Radians: edges with a larger difference are sharp.
+
+        Returns
+        -------
+        numpy.ndarray
+            Pairs of vertices (k, 2) int32.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        """
     def __copy__(self) -> Tessellation: ...
     def __deepcopy__(self, memo: object, /) -> Tessellation: ...
 
@@ -1744,21 +13107,140 @@ _AtUndefined = Literal["raise", "nan"]
 
 @final
 class Formula:
-    """An expression of real variables, read from text; nothing in it is ever run."""
+    """An expression of real variables, read from text; nothing in it is ever run.
+
+    Numbers, + - * / ^, parentheses, pi, e and constants; sin cos tan asin acos atan sinh cosh tanh asinh
+    acosh atanh exp log ln log2 log10 sqrt cbrt abs sign floor, and atan2(y, x), min, max of two. -t^2 is
+    -(t^2), 2^3^2 is 2^9, log is the natural logarithm, and a * is never left out.
+
+    Parameters
+    ----------
+    text : str
+        The expression, at most 10,000 characters.
+    variables : sequence of strings, optional
+        Names of the variables.
+    constants : Mapping of str, optional
+        Names and values of constants.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+    FormulaError
+        If the text is not a formula; it has the position.
+
+    References
+    ----------
+    Lecture row S1.
+
+    Examples
+    --------
+    >>> sc.Formula("a * sin(t)", constants={"a": 2}).evaluate([0.0, np.pi / 2])
+    array([0., 2.])
+    """
 
     def __init__(
         self, text: str, variables: Sequence[str] = ("t",), constants: Mapping[str, float] | None = None
     ) -> None: ...
     @property
-    def text(self) -> str: ...
+    def text(self) -> str:
+        """The text."""
     @property
-    def variables(self) -> tuple[str, ...]: ...
+    def variables(self) -> tuple[str, ...]:
+        """Names of the variables, in the order of their values."""
     @property
-    def constants(self) -> dict[str, float]: ...
-    def evaluate(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats: ...
-    def derivatives(self, t: ArrayLike, order: SupportsIndex, *, at_undefined: _AtUndefined = "raise") -> _Floats: ...
-    def gradient(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats: ...
-    def polynomial(self) -> _Floats | None: ...
+    def constants(self) -> dict[str, float]:
+        """A new dict of the names and values that were given."""
+    def evaluate(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats:
+        """Evaluate the expression.
+
+        Parameters
+        ----------
+        *values : array_like
+            An array for each variable; they broadcast.
+        at_undefined : {'raise', 'nan'}, default 'raise'
+            Where there is no finite value: raise InvalidShape with the place, or give NaN.
+
+        Returns
+        -------
+        numpy.ndarray
+            Values (...,).
+
+        Raises
+        ------
+        InvalidShape
+            Where an operation has no finite result, unless `at_undefined` is 'nan'.
+
+        Examples
+        --------
+        >>> sc.Formula("x^2 + y", ("x", "y")).evaluate([1.0, 2.0], 3.0)
+        array([4., 7.])
+        """
+    def derivatives(self, t: ArrayLike, order: SupportsIndex, *, at_undefined: _AtUndefined = "raise") -> _Floats:
+        """Evaluate the expression and its derivatives by its one variable.
+
+        Parameters
+        ----------
+        t : array_like
+            Values (...,) of the variable.
+        order : int
+            Highest order of derivatives, 0 or more.
+        at_undefined : {'raise', 'nan'}, default 'raise'
+            Where there is no finite value: raise InvalidShape with the place, or give NaN.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., order + 1).
+
+        Raises
+        ------
+        InvalidShape
+            Where a derivative does not exist, as of abs(t) at 0, unless `at_undefined` is 'nan'.
+
+        References
+        ----------
+        Griewank and Walther, Evaluating Derivatives, chapter 13.
+
+        Examples
+        --------
+        >>> sc.Formula("t^3").derivatives(2.0, 2)
+        array([ 8., 12., 12.])
+        """
+    def gradient(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats:
+        """Evaluate the first derivative by each variable.
+
+        Parameters
+        ----------
+        *values : array_like
+            An array for each variable; they broadcast.
+        at_undefined : {'raise', 'nan'}, default 'raise'
+            Where there is no finite value: raise InvalidShape with the place, or give NaN.
+
+        Returns
+        -------
+        numpy.ndarray
+            Array (..., variables).
+
+        Raises
+        ------
+        InvalidShape
+            Where a derivative does not exist, unless `at_undefined` is 'nan'.
+        """
+    def polynomial(self) -> _Floats | None:
+        """Coefficients of the expression as a polynomial of its one variable.
+
+        Returns
+        -------
+        numpy.ndarray or None
+            Coefficients (degree + 1,), lowest power first; None where the expression has anything but
+            sums, products, quotients by constants and whole powers, or the degree is above 255.
+
+        Examples
+        --------
+        >>> sc.Formula("(t + 1)^2").polynomial()
+        array([1., 2., 1.])
+        """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
     def __copy__(self) -> Formula: ...
@@ -1768,8 +13250,49 @@ _Value = (
     NurbsCurve | BezierCurve | HermiteCurve | PowerCurve | NurbsPatch | BezierPatch | HermitePatch | PatchSet
 )
 
-def dumps(value: _Value | Sequence[_Value]) -> str: ...
-def loads(text: str | bytes) -> _Value | list[_Value]: ...
+def dumps(value: _Value | Sequence[_Value]) -> str:
+    """Write shapes as JSON text.
+
+    Parameters
+    ----------
+    value : NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or sequence of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet
+        A curve, a patch, a set, or a list of them.
+
+    Returns
+    -------
+    str
+        Text that `loads` reads back equal in every bit.
+
+    Raises
+    ------
+    InvalidShape
+        If an argument is not valid: the message names it, the first offending index and its value.
+
+    Examples
+    --------
+    >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+    >>> sc.loads(sc.dumps(curve)) == curve
+    True
+    """
+def loads(text: str | bytes) -> _Value | list[_Value]:
+    """Read the JSON text that `dumps` wrote.
+
+    Parameters
+    ----------
+    text : str or bytes
+        The text.
+
+    Returns
+    -------
+    NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or list of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet
+        A shape, or a list of shapes.
+
+    Raises
+    ------
+    InvalidShape
+        If the text is damaged, of another format or of a newer version, or holds an invalid shape;
+        the message has the place.
+    """
 def seam_continuity(
     first: _Patch,
     first_side: _Border,
@@ -1780,4 +13303,48 @@ def seam_continuity(
     parameters: ArrayLike | None = None,
     reversed: bool | None = None,
 ) -> SeamContinuity:
-    """The SeamContinuity of two patches across a side of each, at close places or at parameters (n,) in [0, 1]."""
+    """Measure the continuity of two patches across a side of each.
+
+    Places of both are those equally far along the parameters of their sides. They are close in every
+    span, on both sides of each knot, and closer where gap, angle or the difference of curvatures are
+    largest: the results are the largest found, not bounds.
+
+    Parameters
+    ----------
+    first : patch
+        A patch of any kind.
+    first_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+        The side of the first patch.
+    second : patch
+        A patch of any kind.
+    second_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+        The side of the second patch.
+    tolerance : float, default 1e-08
+        Angles and relative differences below it count as none.
+    parameters : array_like, optional
+        Parameters (n,) in [0, 1] along the first side; by default they are chosen.
+    reversed : bool, optional
+        Whether the second side runs against the first one; by default as their ends lie nearer.
+
+    Returns
+    -------
+    SeamContinuity
+        Gap, angle, difference of curvatures and what follows from them.
+
+    Raises
+    ------
+    InvalidShape
+        If a side lies at infinity or is the seam of a periodic direction.
+
+    References
+    ----------
+    Pegna and Wolter 1992; lecture rows S16, S21.
+
+    Examples
+    --------
+    >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> seam = sc.seam_continuity(a, "u_end", b, "u_start")
+    >>> seam.gap, seam.g
+    (0.0, 2)
+    """

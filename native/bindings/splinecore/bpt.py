@@ -48,9 +48,24 @@ class _Words:
 
 
 def loads(text, flip=False):
-    """The PatchSet of a BPT text. Equal points become one; `flip` exchanges u and v of every patch.
+    """Read Bezier patches from BPT text.
 
-    Raises InvalidShape with the line if the text is not BPT or ends early.
+    Parameters
+    ----------
+    text : str
+        The text.
+    flip : bool, default False
+        Whether u and v of every patch are exchanged.
+
+    Returns
+    -------
+    PatchSet
+        The patches; equal points become one.
+
+    Raises
+    ------
+    InvalidShape
+        If the text is not BPT or ends early; the message has the line.
     """
     words = _Words(text)
     count = words.take(int, "the count of patches")
@@ -82,9 +97,28 @@ def _read_patch(words, index):
 
 
 def dumps(value):
-    """The BPT text of a patch or PatchSet; pieces of other kinds become exact Bezier patches.
+    """Write patches as BPT text.
 
-    Raises InvalidShape if a patch is rational, which the format cannot hold.
+    Parameters
+    ----------
+    value : patch or PatchSet
+        Patches; those that are not Bezier patches become exact Bezier patches.
+
+    Returns
+    -------
+    str
+        The text.
+
+    Raises
+    ------
+    InvalidShape
+        If a patch is rational, which the format cannot hold.
+
+    Examples
+    --------
+    >>> plane = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> sc.bpt.loads(sc.bpt.dumps(plane))[0].degree
+    (1, 1)
     """
     patches = [value[i] for i in range(len(value))] if isinstance(value, _sc.PatchSet) else [value]
     beziers = []

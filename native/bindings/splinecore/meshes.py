@@ -14,10 +14,12 @@ _FACES, _PIECES = 8, 32
 
 
 def mesh(surface, *, resolution=None, tolerance=None, angle=None):
-    """The mesh of a patch or PatchSet, as obj() and the others take it.
+    """Make the mesh of a patch or a set of patches.
 
     Parameters
     ----------
+    surface : patch or PatchSet
+        The surface.
     resolution : int, optional
         Faces in every span along u and v, 8 where nothing is given.
     tolerance : float, optional
@@ -27,7 +29,19 @@ def mesh(surface, *, resolution=None, tolerance=None, angle=None):
 
     Returns
     -------
-    (positions (n, 3) float32, corner normals (c, 3) float32, face starts (f + 1,) int32, vertices of corners (c,) int32)
+    tuple
+        Positions (n, 3) float32, corner normals (c, 3) float32, face starts (f + 1,) int32 and vertices of corners (c,) int32.
+
+    Raises
+    ------
+    InvalidShape
+        If resolution is given beside tolerance or angle.
+
+    Examples
+    --------
+    >>> positions, normals, starts, vertices = sc.meshes.mesh(sc.build.sphere((0, 0, 0), 1.0), resolution=4)
+    >>> len(starts) - 1
+    128
     """
     if resolution is not None and (tolerance is not None or angle is not None):
         raise InvalidShape("resolution counts faces, tolerance and angle measure them: give one or the others")
@@ -41,10 +55,30 @@ def mesh(surface, *, resolution=None, tolerance=None, angle=None):
 
 
 def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
-    """Write the meshes of surfaces, and the polylines of curves, to a file: .obj, .ply, .stl or .glb, by its ending.
+    """Write the meshes of surfaces, and the polylines of curves, to a file.
 
-    shapes: a shape or a list of them. resolution, tolerance, angle: as of mesh(); a curve has `resolution` pieces in every span,
-    32 where none is given. The file is written whole or not at all. Raises InvalidShape for another ending, and for curves in STL.
+    Parameters
+    ----------
+    path : path
+        A file that ends with .obj, .ply, .stl or .glb; it is written whole or not at all.
+    shapes : shape or sequence of shapes
+        Curves, patches and sets. STL has no curves.
+    resolution : int, optional
+        Faces, or pieces of a curve, in every span: 8 and 32 where nothing is given.
+    tolerance : float, optional
+        A length: no point of a surface lies farther from the mesh.
+    angle : float, optional
+        Radians: normals on one face are no farther apart. tolerance and angle exclude resolution.
+
+    Returns
+    -------
+    None
+        The file is written.
+
+    Raises
+    ------
+    InvalidShape
+        If the ending is another one, a curve is to be written to STL, or resolution is given beside tolerance or angle.
     """
     path = Path(path)
     ending = path.suffix.lower()
@@ -83,11 +117,31 @@ def _whole(meshes):
 
 
 def obj(meshes, lines=()):
-    """The bytes of an OBJ file.
+    """Write meshes and lines as an OBJ file.
 
-    `meshes` are of (positions, normals, starts, vertices): positions (n, 3), one normal for each corner or None, where the
-    corners of each face start, (faces,), or that and their end, (faces + 1,), and the vertex of each corner. `lines` are of
-    (positions, is_closed).
+    Parameters
+    ----------
+    meshes : sequence of tuples
+        (positions (n, 3), normals (c, 3) of corners or None, face starts, vertices (c,) of corners), as of `mesh`. Face starts
+        are (faces,), or (faces + 1,) with their end.
+    lines : sequence of tuples
+        (positions (n, 3), whether the line is closed), as of `polylines`.
+
+    Returns
+    -------
+    bytes
+        The file.
+
+    Raises
+    ------
+    InvalidShape
+        If face starts do not fit the corners.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> sc.meshes.obj([mesh]).decode().splitlines()[-1].split()[0]
+    'f'
     """
     parts, before, normals_before = [], 1, 1
     for positions, normals, starts, vertices in _whole(meshes):
@@ -108,7 +162,26 @@ def obj(meshes, lines=()):
 
 
 def ply(meshes, lines=()):
-    """The bytes of a binary PLY file: faces, and edges of the lines; arguments as of obj()."""
+    """Write meshes and lines as a binary PLY file: faces and edges.
+
+    Parameters
+    ----------
+    meshes : sequence of tuples
+        (positions (n, 3), normals (c, 3) of corners or None, face starts, vertices (c,) of corners), as of `mesh`. Face starts
+        are (faces,), or (faces + 1,) with their end.
+    lines : sequence of tuples
+        (positions (n, 3), whether the line is closed), as of `polylines`.
+
+    Returns
+    -------
+    bytes
+        The file.
+
+    Raises
+    ------
+    InvalidShape
+        If face starts do not fit the corners.
+    """
     meshes = _whole(meshes)
     positions = [mesh[0] for mesh in meshes] + [line[0] for line in lines]
     begins = np.cumsum([0, *[len(part) for part in positions]])
@@ -142,7 +215,24 @@ def _edges(count, is_closed):
 
 
 def stl(meshes):
-    """The bytes of a binary STL file, faces as fans of triangles; `meshes` as of obj()."""
+    """Write meshes as a binary STL file: faces as fans of triangles.
+
+    Parameters
+    ----------
+    meshes : sequence of tuples
+        (positions (n, 3), normals (c, 3) of corners or None, face starts, vertices (c,) of corners), as of `mesh`. Face starts
+        are (faces,), or (faces + 1,) with their end.
+
+    Returns
+    -------
+    bytes
+        The file.
+
+    Raises
+    ------
+    InvalidShape
+        If face starts do not fit the corners.
+    """
     none = np.empty((0, 3, 3), np.float32)
     triangles = np.concatenate([none] + [_triangles(np.asarray(mesh[0], np.float32), mesh[2], mesh[3]) for mesh in _whole(meshes)])
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
@@ -167,7 +257,28 @@ def _fans(starts, vertices):
 
 
 def glb(meshes, lines=()):
-    """The bytes of a binary glTF 2.0 file: faces as fans of triangles, a vertex for each corner that has a normal, and lines."""
+    """Write meshes and lines as a binary glTF 2.0 file.
+
+    Faces are fans of triangles, with a vertex for each corner that has a normal.
+
+    Parameters
+    ----------
+    meshes : sequence of tuples
+        (positions (n, 3), normals (c, 3) of corners or None, face starts, vertices (c,) of corners), as of `mesh`. Face starts
+        are (faces,), or (faces + 1,) with their end.
+    lines : sequence of tuples
+        (positions (n, 3), whether the line is closed), as of `polylines`.
+
+    Returns
+    -------
+    bytes
+        The file.
+
+    Raises
+    ------
+    InvalidShape
+        If face starts do not fit the corners.
+    """
     writer = _Gltf()
     for positions, normals, starts, vertices in _whole(meshes):
         corners = np.arange(len(vertices), dtype=np.int32)

@@ -122,10 +122,10 @@ NurbsCurve chain_of(const std::vector<Stretch>& stretches) {
 
 }  // namespace
 
-double cubics_tolerance(const NearSpace& space, std::optional<double> tolerance) {
+double cubics_tolerance(const NearSpace& space, std::optional<double> tolerance, double size) {
   constexpr double kOfSize = 0x1p-20;
   constexpr double kLeast = 0x1p-40;
-  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kLeast);
+  return std::max(tolerance ? *tolerance / space.length(1.0) : size * kOfSize, size * kLeast);
 }
 
 std::vector<double> distinct_breaks(std::vector<double> breaks, const Interval& domain) {

@@ -28,7 +28,8 @@ struct PathPlace {
 using Path = std::function<std::vector<PathPlace>(const std::vector<PathParameter>&)>;
 
 /// How far cubics may be from a path, in the space of its shape: 2^-20 of its size where that is not given.
-double cubics_tolerance(const NearSpace& space, std::optional<double> tolerance);
+/// @param size  of the path in that space
+double cubics_tolerance(const NearSpace& space, std::optional<double> tolerance, double size = 1.0);
 
 /// In order, each place once, from the start to the end of a domain.
 std::vector<double> distinct_breaks(std::vector<double> breaks, const Interval& domain);

@@ -1,5 +1,6 @@
 #include "splinecore/build/helix.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -112,7 +113,8 @@ NurbsCurve helix(const NurbsCurve& given, const HelixOptions& options) {
   const NurbsCurve axis = plain.with_points(space.enter(plain.points()));
   const double unit = space.length(1.0);
   const HelixAbout about(axis, options, unit);
-  const double within = cubics_tolerance(space, options.tolerance);
+  const double size = std::max({1.0, options.radii[0] / unit, options.radii[1] / unit});
+  const double within = cubics_tolerance(space, options.tolerance, size);
   const Path path = [&](const std::vector<PathParameter>& asked) { return about.places(asked); };
   const NurbsCurve found = cubics_along(path, breaks_of(axis, options.turns), within);
   return found.with_points(space.leave(found.points()));

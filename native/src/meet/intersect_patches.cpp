@@ -16,6 +16,7 @@
 #include "patch_pairs.hpp"
 #include "patch_touching.hpp"
 #include "plane_patch.hpp"
+#include "ridge_traces.hpp"
 #include "section_curve.hpp"
 #include "shared_edges.hpp"
 #include "splinecore/base/errors.hpp"
@@ -66,6 +67,7 @@ class SectionSearch {
       for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
     }
     for (const SectionTouch& turn : follow_shared_edges()) note(turn, true);
+    touching_.is_crossing = [&](const glm::dvec3& point) { return crossing_.are_near(point, tolerance_); };
     const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
                                                  is_known);
     touching_.follow_borders();
@@ -82,11 +84,13 @@ class SectionSearch {
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
     for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
     const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
-    const std::vector<SectionTrace> crossing = joined_traces(patches(), crossing_.traces(), is_end, tolerance_);
+    const SortedTraces sorted = without_ridges(patches(), crossing_.traces(), tolerance_);
+    const std::vector<SectionTrace> crossing = joined_traces(patches(), sorted.crossing, is_end, tolerance_);
     Sections found;
     found.are_one = match_ || (touching_.are_one() && (gap_of_copies_.empty() || !touching_.borders().empty()));
     put(crossing, SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
+    put(joined_traces(patches(), sorted.ridges, is_end, tolerance_), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
     for (const SectionTrace& trace : crossing) {

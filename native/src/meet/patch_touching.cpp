@@ -293,9 +293,34 @@ void TouchingCurves::keep_border(std::optional<SectionTrace> trace, std::optiona
   if (!trace) return;
   if (trace->places.size() < 2) {
     if (trace->is_lost[0] || trace->is_lost[1]) lost_.push_back({trace->places.front().point, from});
-  } else if (!from || is_new(*trace)) {
-    add_border(std::move(*trace));
+    return;
   }
+  for (SectionTrace& part : without_crossings(std::move(*trace))) {
+    if (!from || is_new(part)) add_border(std::move(part));
+  }
+}
+
+/// What of a border is none of a crossing, which it goes on in where patches part at a crease.
+std::vector<SectionTrace> TouchingCurves::without_crossings(SectionTrace trace) const {
+  std::vector<SectionTrace> parts;
+  SectionTrace part{{trace.places.front()}, false, {trace.is_lost[0], false}};
+  bool is_whole = true;
+  for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+    const SectionPlace& to = trace.places[i + 1];
+    const bool is_joint = !trace.places[i].has_pieces_of(to);
+    if (is_joint || !is_crossing || !is_crossing(SectionStep(trace.places[i], to).point(0.5))) {
+      if (is_joint && part.places.size() == 1 && i > 0) part.places.clear();
+      part.places.push_back(to);
+      continue;
+    }
+    is_whole = false;
+    if (part.places.size() > 1) parts.push_back(std::move(part));
+    part = {{to}, false};
+  }
+  if (is_whole) return {std::move(trace)};
+  part.is_lost[1] = trace.is_lost[1];
+  if (part.places.size() > 1) parts.push_back(std::move(part));
+  return parts;
 }
 
 std::optional<glm::dvec3> TouchingCurves::lost_border() const {

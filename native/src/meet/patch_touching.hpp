@@ -42,6 +42,9 @@ class TouchingCurves {
   /// Whether all about a place is known already.
   std::function<bool(const PatchSpots&)> is_known_place;
 
+  /// Whether patches are known to cross along a border at a point.
+  std::function<bool(const glm::dvec3&)> is_crossing;
+
   /// Takes a border of what is known to be one.
   void add_border(SectionTrace trace);
 
@@ -90,6 +93,7 @@ class TouchingCurves {
   void find_borders_of(const PatchPart& part, const PatchPart& other, bool is_a);
   void find_border(const PatchSpots& at, const OnFace& border);
   std::optional<SectionTrace> traced_border(const PatchSpots& at, const OnFace& border) const;
+  std::vector<SectionTrace> without_crossings(SectionTrace trace) const;
   void keep_border(std::optional<SectionTrace> trace, std::optional<std::size_t> from);
   double near_border() const;
   std::vector<OnFace> borders_at(const PatchSpots& at) const;

@@ -1,6 +1,7 @@
 #include "turned_edges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
@@ -26,17 +27,25 @@ class EdgeCuts {
 
   std::optional<SharedEdges> cut() {
     take_samples();
-    if (touches_along()) return {};
+    find_touching();
+    if (!crosses_plainly()) return {};
     edge_.places.push_back(places().front());
     auto sample = samples_.begin();
     for (std::size_t i = 1; i < places().size(); ++i) {
-      if (is_joint(i) && is_corner(places()[i - 1], places()[i])) {
+      for (; sample != samples_.end() && sample->step == i - 1; ++sample) {
+        if (!touches_[i - 1]) go_to(*sample);
+      }
+      if (touches_[i - 1]) {
+        edge_ = {{places()[i]}, false};
+        told_ = {};
+        if (i < touches_.size() && !touches_[i]) turn_at(places()[i]);
+      } else if (is_joint(i) && is_end(i)) {
+        if (touches_after(i)) turn_at(places()[i - 1]);
         end(places()[i]);
         told_ = {};
-        continue;
+      } else {
+        edge_.places.push_back(places()[i]);
       }
-      for (; sample != samples_.end() && sample->step == i - 1; ++sample) go_to(*sample);
-      edge_.places.push_back(places()[i]);
     }
     end(places().back());
     if (whole_.is_closed) close();
@@ -93,19 +102,52 @@ class EdgeCuts {
 
   bool is_joint(std::size_t i) const { return !places()[i - 1].has_pieces_of(places()[i]); }
 
-  bool touches_along() const {
-    constexpr double kPlainly = 0x1p-7;
+  /// The steps in pieces along which the patches touch, as beside a level face of terrain. A joint does as the step before it.
+  void find_touching() {
+    touches_.assign(places().size() - 1, false);
+    for (std::size_t first = 0; first < touches_.size();) {
+      std::size_t end = first + 1;
+      while (end < touches_.size() && !is_joint(end + 1)) ++end;
+      if (end < touches_.size()) ++end;
+      std::fill(touches_.begin() + static_cast<std::ptrdiff_t>(first), touches_.begin() + static_cast<std::ptrdiff_t>(end),
+                touches_along({first, end}));
+      first = end;
+    }
+  }
+
+  /// Whether steps of one piece lie along a curve of touch: so far nothing tells.
+  bool touches_along(const std::array<std::size_t, 2>& steps) const {
     constexpr double kTolerances = 64.0;
-    if (std::ranges::none_of(samples_, [](const EdgeSample& of) { return std::abs(of.sine) >= kPlainly; })) return true;
+    const auto is_here = [&](const EdgeSample& of) { return of.step >= steps[0] && of.step < steps[1]; };
     const auto point = [&](const EdgeSample& of) {
       return SectionStep(places()[of.step], places()[of.step + 1]).point(of.s);
     };
     for (std::size_t i = 1; i < samples_.size(); ++i) {
-      if (tells(samples_[i - 1]) || tells(samples_[i])) continue;
+      if (!is_here(samples_[i - 1]) || !is_here(samples_[i]) || tells(samples_[i - 1]) || tells(samples_[i])) continue;
       if (glm::distance(point(samples_[i - 1]), point(samples_[i])) > kTolerances * tolerance_) return true;
     }
     return false;
   }
+
+  /// Beside a piece along which they touch, which ends at a crease, a smaller angle tells.
+  bool crosses_plainly() const {
+    constexpr double kPlainly = 0x1p-7;
+    constexpr double kTolerances = 64.0;
+    const bool has_crease = std::ranges::any_of(touches_, [](bool is) { return is; });
+    const double least = has_crease ? std::min(kPlainly, kTolerances * tolerance_) : kPlainly;
+    return std::ranges::any_of(samples_, [&](const EdgeSample& of) {
+      return !touches_[of.step] && std::abs(of.sine) >= least;
+    });
+  }
+
+  bool touches_after(std::size_t joint) const { return joint < touches_.size() && touches_[joint]; }
+
+  bool is_end(std::size_t joint) const {
+    return touches_after(joint) || is_corner(places()[joint - 1], places()[joint]);
+  }
+
+  /// Where the patches part from a curve of touch, or come to one.
+  void turn_at(const SectionPlace& place) { found_.turns.push_back({place.at, place.point}); }
 
   void go_to(const EdgeSample& sample) {
     if (!tells(sample)) return;
@@ -115,7 +157,7 @@ class EdgeCuts {
     const double from = before->step == sample.step ? before->s : 0.0;
     const SectionPlace turn = turn_between(step, {from, sample.s}, before->sine < 0.0);
     edge_.places.push_back(turn);
-    found_.turns.push_back({turn.at, turn.point});
+    turn_at(turn);
     end(turn);
   }
 
@@ -156,6 +198,8 @@ class EdgeCuts {
   /// Of one that goes round what is before its first cut goes on from what is behind the last one.
   void close() {
     std::vector<SectionTrace>& traces = found_.traces;
+    if (touches_.front() != touches_.back()) turn_at(touches_.front() ? places().back() : places().front());
+    if (touches_.front() || touches_.back()) return;
     if (traces.size() == 1 && found_.turns.empty()) {
       traces.front().is_closed = true;
       return;
@@ -173,6 +217,7 @@ class EdgeCuts {
   PatchContact contact_;
   double tolerance_;
   std::vector<EdgeSample> samples_;
+  std::vector<bool> touches_;       ///< steps
   std::optional<EdgeSample> told_;  ///< the last sample that tells
   SectionTrace edge_{{}, false};    ///< since the last cut
   SharedEdges found_;

@@ -5,11 +5,14 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from ...core.failures import Refusal, blenders_refusals
-from ...core.handles import fitting
+from ...core.base.failures import Refusal, blenders_refusals
 from ...core.native import native_density
-from .. import blocks, curve_pieces, handles, mesh_looks, settings, shape, store, versions
-from ..look import Look
+from ...core.net.handles import fitting
+from ..curve import handles
+from ..data import blocks, settings, store, versions
+from ..data.shading import Look
+from ..mesh import mesh_looks
+from ..shape import curve_pieces, shape
 from . import measure_native, native_layers, native_links, native_splines, read_native, retype, staging
 
 #: Of objects that can be made exact.

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 
 from ...core.native import native
-from .. import versions
+from ..data import versions
 from . import native_splines
 
 #: Enough to see a difference; one step has oddities of its own in some versions.

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...core.failures import Refusal
+from ...core.base.failures import Refusal
 
 
 def mixed(splines, ob, keys):

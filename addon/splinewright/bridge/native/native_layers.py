@@ -3,9 +3,9 @@
 import numpy as np
 
 from ...core.native import native_along
-from .. import curve_layers
-from ..curve_layers import Layers
-from ..look import Look
+from ..curve import curve_layers
+from ..curve.curve_layers import Layers
+from ..data.shading import Look
 
 _NOUNS = ("the radius", "the tilt", "the soft body weight")
 #: What stays nearer to what it was, as a part of how much it changes, is as it was.

@@ -2,7 +2,7 @@
 
 import bpy
 
-from .. import animation
+from ..data import animation
 
 
 def hooked_points(users):

@@ -5,8 +5,8 @@ from contextlib import contextmanager
 import bpy
 import numpy as np
 
-from ...core import handles
 from ...core.native.native import Direction, Flags, NativeSpline
+from ...core.net import handles
 
 _BEZIER_FIELDS = ('handle_left', 'co', 'handle_right')
 #: The sine of an angle that is rounding.
@@ -63,7 +63,7 @@ def _direction(spline, axis, count):
 
 
 def handle_letters(spline, is_merged=False):
-    """The core.handles letters of a spline of 'BEZIER'. is_merged: the last point is the first one again."""
+    """The core.net.handles letters of a spline of 'BEZIER'. is_merged: the last point is the first one again."""
     pairs = [tuple(handles.LETTERS[name] for name in (point.handle_left_type, point.handle_right_type))
              for point in spline.bezier_points]
     if is_merged:

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import bpy
 
-from ...core.failures import Refusal
-from ...core.library import sc
+from ...core.base.failures import Refusal
+from ...core.base.library import sc
 from ...core.native import native_values
 from . import native_keys, native_splines
 

@@ -2,8 +2,8 @@
 
 import bpy
 
-from ...core.failures import Refusal, blenders_refusals
-from .. import blocks
+from ...core.base.failures import Refusal, blenders_refusals
+from ..data import blocks
 from . import staging
 
 

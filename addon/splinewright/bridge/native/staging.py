@@ -2,7 +2,7 @@
 
 from contextlib import contextmanager
 
-from ...core.failures import Refusal
+from ...core.base.failures import Refusal
 
 
 @contextmanager

@@ -5,7 +5,7 @@ from itertools import groupby
 import bpy
 import numpy as np
 
-from ...core.failures import Refusal, blenders_refusals
+from ...core.base.failures import Refusal, blenders_refusals
 from . import staging
 from .native_splines import single
 

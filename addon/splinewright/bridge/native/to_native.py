@@ -1,10 +1,14 @@
 """Shapes become Blender's own curves and surfaces, in their place."""
 
-from ...core.definition import CURVES
-from ...core.failures import Refusal
-from .. import (animation, curve_layers, curve_pieces, fineness, handles, held, mesh_attributes, mesh_looks, point_keys, recipes, settings,
-                shape, store)
-from ..look import Look
+from ...core.base.failures import Refusal
+from ...core.shape.definition import CURVES
+from ..curve import curve_layers, handles
+from ..data import animation, held, settings, store, tessellate
+from ..data.shading import Look
+from ..keys import point_keys
+from ..mesh import mesh_attributes, mesh_looks
+from ..recipes import recipes
+from ..shape import curve_pieces, shape
 from . import native_layers, native_links, retype, write_native
 from .make_exact import Outcome
 
@@ -33,7 +37,7 @@ def to_native(context, ob):
 def _curve(context, ob, value, planned, users):
     data, lost = ob.data, native_links.hooked_points(users)
     curves = [value] if isinstance(value, CURVES) else value
-    steps = max(fineness.steps_of(data, curve) for curve in curves)
+    steps = max(tessellate.steps_of(data, curve) for curve in curves)
     pieces, types = curve_pieces.of(data, store.read(data)), handles.known(data)
     if handles.problem(data):
         lost.append("the handle types, which are damaged")

@@ -2,11 +2,11 @@
 
 from typing import NamedTuple
 
-from ...core.definition import CURVES
-from ...core.failures import Refusal
-from ...core.library import sc
+from ...core.base.failures import Refusal
+from ...core.base.library import sc
 from ...core.native import native_density, native_forms
-from .. import versions
+from ...core.shape.definition import CURVES
+from ..data import versions
 from . import measure_native, native_splines, surface_nets
 
 

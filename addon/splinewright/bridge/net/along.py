@@ -6,10 +6,15 @@ number that the net carries (settings_number).
 
 import numpy as np
 
-from ...core import along, verbs
-from ...core.failures import Refusal
-from .. import curve_layers, curve_pieces, fineness, recipes, shape, store
-from . import net_object, selection
+from ...core.base.failures import Refusal
+from ...core.net import along
+from ...core.verbs import verbs
+from ..cage import net_object
+from ..curve import curve_layers
+from ..data import store, tessellate
+from ..recipes import recipes
+from ..shape import curve_pieces, shape
+from . import selection
 
 _COLUMNS = [curve_layers.NAMES.index(name) for name in ('radius', 'tilt')]
 
@@ -49,8 +54,8 @@ class Gesture:
                       for piece in self._points}
 
     def _held_of(self, piece, curve, layers, lines):
-        """(where it is told of, the core.along.Held) of Layers of a piece."""
-        steps = fineness.steps_of(self.data, curve)
+        """(where it is told of, the core.net.along.Held) of Layers of a piece."""
+        steps = tessellate.steps_of(self.data, curve)
         at = np.concatenate([along.places(self._definition, piece, curve, steps), *(line.at for line in lines)])
         at = np.union1d(layers.at, at[(at >= layers.at[0]) & (at <= layers.at[-1])])
         mixtures = tuple(along.mixture(self._definition, piece, curve, at, way) for way in layers.ways)

@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from ...core import definition as definitions
-from ...core import handles
-from .. import curve_pieces, shape, store
-from .. import handles as kept_types
-from . import net_splines
+from ...core.net import handles
+from ...core.shape import definition as definitions
+from ..cage import net_splines
+from ..curve import handles as kept_types
+from ..data import store
+from ..shape import curve_pieces, shape
 
 
 def has_types(data):

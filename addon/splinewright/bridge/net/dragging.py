@@ -1,18 +1,22 @@
 """Steps of a drag in which positions of a net are others than in the step before, and nothing else is.
 
-What live.pull() makes sure of at any change holds from step to step while their occasion is the same: such a step reads, works
+What live.sync_from_cage() makes sure of at any change holds from step to step while their occasion is the same: such a step reads, works
 out and writes positions, and leaves the rest alone.
 """
 
 from typing import Any, NamedTuple
 
-from .. import held, keyed, point_keys, recipes, shape
-from ..file_state import ended_operators, key, look_again, state
-from . import cage, live, net_object
+from ..cage import cage, net_object
+from ..data import held
+from ..data.file_state import ended_operators, key, look_again, state
+from ..keys import point_keys
+from ..recipes import recipes
+from ..shape import shape
+from . import keyed, live
 
 
 class Drag(NamedTuple):
-    """A net of patches and its shape, in a step of which live.pull() saw to all."""
+    """A net of patches and its shape, in a step of which live.sync_from_cage() saw to all."""
 
     occasion: tuple
     ob: Any
@@ -39,7 +43,7 @@ def begin(ob, occasion):
 
 def goes_on(occasion):
     """Whether this was a step like the one before, which is done then. Whatever is otherwise, or goes wrong, is left to
-    live.pull(), which says it."""
+    live.sync_from_cage(), which says it."""
     drag = state.drag
     if drag is None or drag.occasion != occasion:
         return False
@@ -53,7 +57,7 @@ def goes_on(occasion):
 
 def _step(drag):
     _, ob, data, current, typed = drag
-    last, said = current.last, cage.said(ob, current.last.said)
+    last, said = current.last, cage.snapshot(ob, current.last.said)
     again = last.again(current.net, said, typed) if said is not None and said.slots is not None else None
     if again is None:
         return False

@@ -9,11 +9,12 @@ from enum import IntEnum
 import numpy as np
 
 from ...core.net import grown, grown_cage, reading
-from ..file_state import look_again
-from . import net_object, stages
+from ..cage import net_object
+from ..data.file_state import look_again
+from . import stages
 
 
-class Moment(IntEnum):
+class Phase(IntEnum):
     """What goes on while a net is read."""
 
     BUSY = 0                            # an operator may go on moving points by itself
@@ -56,7 +57,7 @@ def _before(stage, numbers):
     return before
 
 
-def settle(data, current):
+def ignore_called_off(data, current):
     """Pass over what was extruded and called off once for all: it is no point either when the one it is of moves away."""
     runs = _runs(data, current.net)
     numbers = _core(current.net).settled(runs)
@@ -93,10 +94,10 @@ def grow(data, current, definition, found, moment):
 
 
 def _least(definition, result):
-    """The first Moment at which that can be taken up."""
+    """The first Phase at which that can be taken up."""
     if definition.has_curves or len(result.added):
-        return Moment.BUSY
-    return Moment.FREE if result.faces else Moment.TOLD
+        return Phase.BUSY
+    return Phase.FREE if result.faces else Phase.TOLD
 
 
 def _core(net):

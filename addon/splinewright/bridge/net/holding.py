@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from ...core import held as seams_that_hold
-from ...core import held_bounds
-from .. import held, store
-from ..file_state import ended_operators
+from ...core.joints import held as seams_that_hold
+from ...core.joints import held_bounds
+from ..data import held, store
+from ..data.file_state import ended_operators
 from . import selection
 
 

@@ -3,11 +3,13 @@
 import bpy
 import numpy as np
 
-from ...core import handles
-from ...core.failures import Refusal
-from .. import keyed_seams, shape
-from . import live, net_object, selection
-from .growing import Moment
+from ...core.base.failures import Refusal
+from ...core.net import handles
+from ..cage import net_object
+from ..keys import keyed_seams
+from ..shape import shape
+from . import live, selection
+from .growing import Phase
 
 
 def set_definition(data, definition):
@@ -28,7 +30,7 @@ def set_definition(data, definition):
         current.wrote(data, faces)
     _give_true_types(net, current, there)
     selection.place(net, current.net, vertices, rows)
-    live.pull(net, Moment.BUSY)
+    live.sync_from_cage(net, Phase.BUSY)
     return lost
 
 

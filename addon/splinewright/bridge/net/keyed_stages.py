@@ -4,8 +4,9 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from ...core import keyed_rows
-from .. import keyed_seams, point_keys, store
+from ...core.shape import keyed_rows
+from ..data import store
+from ..keys import keyed_seams, point_keys
 
 
 def with_digits(data, net, definition):

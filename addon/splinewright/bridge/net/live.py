@@ -9,17 +9,22 @@ import time
 import bpy
 import numpy as np
 
-from ...core import definition as definitions
-from ...core.arrays import are_equal
-from ...core.failures import FAILURES, Refusal, sentence, told
-from ...core.library import sc
-from ...core.moved_positions import MovedPositions
+from ...core.base.arrays import are_equal
+from ...core.base.failures import FAILURES, Refusal, sentence, text_of
+from ...core.base.library import sc
 from ...core.net import exact_net, last_reading, reading
-from .. import (curve_layers, fineness, point_keys, problems, recipes, remaking, settings, shape, stamp, store,
-                write_mesh)
-from ..file_state import ended_operators, look_again, state
-from . import along, cage, curve_extras, free_net, growing, holding, keyed_stages, net_object, settings_number, stages
-from .growing import Moment
+from ...core.shape import definition as definitions
+from ...core.shape.moved_positions import MovedPositions
+from ..cage import cage, free_net, net_object, settings_number
+from ..curve import curve_layers
+from ..data import problems, settings, store, tessellate
+from ..data.file_state import ended_operators, look_again, state
+from ..keys import point_keys
+from ..mesh import stamp, write_mesh
+from ..recipes import recipes
+from ..shape import recipe_edit, shape
+from . import along, curve_extras, growing, holding, keyed_stages, stages
+from .growing import Phase
 
 
 #: Seconds without a move after which the shape is looked at for changes by other hands, and so many times as long as it
@@ -101,7 +106,7 @@ class Session:
         self._last_step = now
         self._next_check = now + min(max(_PAUSE, _SHARE * self._look), max(_LONGEST_PAUSE, rhythm))
 
-    def trust(self):
+    def accept_undo(self):
         """Undo may have put back any earlier state of the shape."""
         self.faces = self._moved = self.pool = self.last = None
         self.placed = holding.Placed()
@@ -110,7 +115,7 @@ class Session:
         """The shape has these faces now."""
         if faces is not self.faces:
             self._moved = None
-        self.faces, self._fineness, self.stamp = faces, fineness.of(data), store.read_stamp(data)
+        self.faces, self._fineness, self.stamp = faces, tessellate.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
         """What a number in the net stands for: from now on the present values, where it is new or none of ours."""
@@ -146,12 +151,12 @@ class Session:
 
     def _has_faces(self, data, known):
         """Whether the shape has the faces that are known here. known: its stamp."""
-        return (self.faces is not None and known is not None and self._fineness == fineness.of(data)
+        return (self.faces is not None and known is not None and self._fineness == tessellate.of(data)
                 and stamp.same_topology(self.stamp, known))
 
     def final_faces(self, data):
         """The Tessellation that the shape has when the gesture is over, where that is known already, or None."""
-        return self.faces if self._has_faces(data, store.read_stamp(data)) and fineness.by_count(data) else None
+        return self.faces if self._has_faces(data, store.read_stamp(data)) and tessellate.by_count(data) else None
 
     def moved(self, data, known, patch_set):
         """The MovedPositions on the faces that the shape has, or None where it needs others. known: its stamp."""
@@ -222,16 +227,16 @@ def _drop_idle():
         del state.sessions[token]
 
 
-def trust():
+def accept_undo():
     """After undo and redo: take shapes as they are, and look at damaged nets again."""
     for token, current in list(state.sessions.items()):
         if isinstance(current, Session):
-            current.trust()
+            current.accept_undo()
         else:
             del state.sessions[token]
 
 
-def pull(ob, moment=Moment.FREE):
+def sync_from_cage(ob, moment=Phase.FREE):
     """Bring the shape of a net up to date. Returns its data-block if it changed, else None.
 
     Of what cannot be read or shown the shape keeps what it has; problem() says why. Whatever goes wrong is kept in words:
@@ -240,13 +245,13 @@ def pull(ob, moment=Moment.FREE):
     state.drag = None
     net = ob.data
     look_again(net)
-    problems.tell(net, problems.STRAYS, "")
+    problems.set_problem(net, problems.STRAYS, "")
     try:
         data, is_changed, problem = _pulled(ob, moment)
     except Exception as error:
-        problems.tell(net, problems.NET, told(error))
+        problems.set_problem(net, problems.NET, text_of(error))
         return None
-    problems.tell(net, problems.NET, problem)
+    problems.set_problem(net, problems.NET, problem)
     return data if is_changed else None
 
 
@@ -266,7 +271,7 @@ def _pulled(ob, moment):
         else:
             is_changed, problem = _follow(data, ob, current, moment)
     except Exception as error:
-        is_changed, problem = False, told(error)
+        is_changed, problem = False, text_of(error)
     if wanted[_ALONG] != curve_layers.number(data) and wanted[_ALONG] in current.along:
         along.put(data, current.along[wanted[_ALONG]], wanted[_ALONG])
         is_changed = True
@@ -282,7 +287,7 @@ def _show_as_noted(data, current, wanted):
     try:
         current.wrote(data, shape.rewrite(data))
     except Exception as error:
-        problems.tell(data, problems.SETTING, told(error))
+        problems.set_problem(data, problems.SETTING, text_of(error))
         return False
     return True
 
@@ -300,7 +305,7 @@ def note_settings(data):
 
 def begin_along(ob):
     """The along.Gesture of a net in Edit Mode. Raises Refusal."""
-    pull(ob)
+    sync_from_cage(ob)
     if problem(ob):
         raise Refusal(problem(ob))
     return along.Gesture(ob, session(ob.data).net)
@@ -335,7 +340,7 @@ def _follow(data, ob, current, moment):
     current.extra = found.extra
     current.take(found.state, found.slots)
     if current.is_waiting:
-        found = found._replace(problem="", note=_WAITS if moment == Moment.BUSY else "")
+        found = found._replace(problem="", note=_WAITS if moment == Phase.BUSY else "")
     if not recipes.has_points(data):
         definition = keyed_stages.with_digits(data, current.net, definition)
         try:
@@ -343,9 +348,9 @@ def _follow(data, ob, current, moment):
         except FAILURES as error:
             refused = refused or sentence(error)
     notes = current.stage.note, found.note, current.released, current.lost
-    problems.tell(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
+    problems.set_problem(ob.data, problems.STRAYS, "; ".join(filter(None, notes)))
     if recipes.has_points(data):
-        return remaking.follow_net(data, definition), found.problem
+        return recipe_edit.follow_net(data, definition), found.problem
     were_said = definition.has_curves and curve_extras.has_types(data)
     is_changed = _show(data, definition, current)
     if definition.has_curves:
@@ -356,7 +361,7 @@ def _follow(data, ob, current, moment):
 def _read(data, ob, current):
     """(the core.net.reading.Reading of a net, the definition that it says)."""
     net, typed = current.net, net_object.typed(ob.data, current.net)
-    said = None if isinstance(ob.data, bpy.types.Curve) else cage.said(ob, current.last and current.last.said)
+    said = None if isinstance(ob.data, bpy.types.Curve) else cage.snapshot(ob, current.last and current.last.said)
     again = current.last and current.last.again(net, said, typed)
     if again:
         return again
@@ -368,7 +373,7 @@ def _read(data, ob, current):
 
 def _last(data, net):
     """The Net of a shape as it is; that which its net was made with where they do not compare."""
-    last = net_object.net_of(remaking.edited(data))
+    last = net_object.net_of(recipe_edit.edited(data))
     return last if np.array_equal(last.origins, net.origins) else net
 
 
@@ -377,21 +382,21 @@ def _follow_points(data, ob, current):
     is_turned = free_net.is_turned(ob.data)
     current.show(free_net.read(ob.data, current.made_with))
     try:
-        return remaking.follow_points(data, current.net, is_turned), ""
+        return recipe_edit.follow_points(data, current.net, is_turned), ""
     except FAILURES:
         others = free_net.without_copies(ob.data, current.net)
         if others is None:
             raise
-    is_changed = remaking.follow_points(data, others, is_turned)
-    problems.tell(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
+    is_changed = recipe_edit.follow_points(data, others, is_turned)
+    problems.set_problem(ob.data, problems.STRAYS, reading.note(len(current.net.rows) - len(others.rows)))
     return is_changed, ""
 
 
-def pass_over(ob):
+def ignore_called_off(ob):
     """What was extruded from a net's ends and called off is passed over once for all."""
     owner = net_object.shape_of(ob)
     if owner is not None and _can_grow(owner.data):
-        growing.settle(ob.data, session(ob.data))
+        growing.ignore_called_off(ob.data, session(ob.data))
 
 
 def _can_grow(data):
@@ -430,12 +435,12 @@ def look_at_all(ob):
     """Read all of a net of which a drag reads what moved: others may have given points other weights meanwhile."""
     current = known_session(ob.data) if ob.mode == 'EDIT' else None
     last = current and current.last
-    said = last and cage.said(ob)
+    said = last and cage.snapshot(ob)
     if said and not last.agrees(said):
-        pull(ob, Moment.BUSY)
+        sync_from_cage(ob, Phase.BUSY)
 
 
-def settle(data, progress=shape.no_progress):
+def finalize(data, progress=shape.no_progress):
     """Write what a drag leaves out: exact normals, sharp edges, and faces that are as many as the shape asks for. progress:
     as of shape.rewrite()."""
     if store.is_draft(data):

@@ -3,15 +3,15 @@
 Blender excludes objects that cannot be selected, where its *Exclude Non-Selectable* is on. Both are put back as they were.
 """
 
-from .. import recipes
-from ..file_state import key, state
-from . import net_object
+from ..cage import net_object
+from ..data.file_state import key, state
+from ..recipes import recipes
 
 #: On an object: whether it could not be selected before. Undo brings it back as it was; settings of tools it leaves as they are.
 _WAS = "splinewright_magnet_was"
 
 
-def settle(scene, nets):
+def exclude_nets(scene, nets):
     """Exclude what moves with the nets that are edited in a scene, and nothing else."""
     if scene.library:
         return

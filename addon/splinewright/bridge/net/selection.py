@@ -5,8 +5,8 @@ import numpy as np
 
 from ...core.net import reading
 from ...core.net.reading import ChangedNet
-from ..file_state import key, state
-from . import cage, free_net, net_object, net_splines
+from ..cage import cage, free_net, net_object, net_splines
+from ..data.file_state import key, state
 
 
 def selected(ob, net):
@@ -98,7 +98,7 @@ def _require_there(ob, net, vertices):
     return slots
 
 
-def hand_over(ob, net):
+def select_originals(ob, net):
     """Select points in place of their copies, where these are where the points are: what was called off is moved as if
     it had not been. Safe at any time: nothing is added and nothing removed. In edge and face select mode, where a
     vertex cannot be selected alone, all stays."""

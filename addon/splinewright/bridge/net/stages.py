@@ -10,11 +10,11 @@ from dataclasses import dataclass, field, replace
 import bpy
 import numpy as np
 
-from ...core import definition as definitions
-from ...core.failures import Refusal
+from ...core.base.failures import Refusal
 from ...core.net.exact_net import Net
-from .. import store
-from . import net_object
+from ...core.shape import definition as definitions
+from ..cage import net_object
+from ..data import store
 
 _STAGES = 'stages'
 #: Whole numbers that float32 holds.

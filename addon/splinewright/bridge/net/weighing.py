@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...core.failures import Refusal
+from ...core.base.failures import Refusal
 from . import live, selection
 
 
@@ -29,6 +29,6 @@ def put(ob, vertices, weights, is_passing=False):
     current = live.session(ob.data)
     rows = np.column_stack([current.state.positions[vertices], weights])
     (selection.place if is_passing else selection.move)(ob, current.net, vertices, rows)
-    live.pull(ob)
+    live.sync_from_cage(ob)
     if live.problem(ob):
         raise Refusal(live.problem(ob))

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
 from . import native
 from .native import Direction, Flags, NativeSpline
 from .native_match import matching_direction

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..library import sc
+from ..base.library import sc
 
 
 class Axis(NamedTuple):

@@ -5,7 +5,7 @@ What cannot be held is named in words that follow "without": pairs of a value, o
 
 import numpy as np
 
-from ..library import sc
+from ..base.library import sc
 from . import native
 from .native_refine import Axis, bezier_rows, homogeneous
 

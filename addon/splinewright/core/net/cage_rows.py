@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..failures import Refusal
+from ..base.failures import Refusal
 from .grown import NEW, STRAY, copy_of
 
 _HALF = "a border that patches share is cut on one side only: cut the patches on both sides, the shape has them as they were"

@@ -10,8 +10,8 @@ from functools import cached_property
 
 import numpy as np
 
-from .. import definition as definitions
-from ..definition import Definition
+from ..shape import definition as definitions
+from ..shape.definition import Definition
 
 _EPSILON = float(np.finfo(np.float32).eps)
 

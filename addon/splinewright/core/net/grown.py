@@ -11,9 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import decimals, verbs
-from .. import definition as definitions
-from ..failures import Refusal
+from ..base import decimals
+from ..base.failures import Refusal
+from ..shape import definition as definitions
+from ..verbs import verbs
 from . import curve_net, point_edits
 from .point_edits import Point
 

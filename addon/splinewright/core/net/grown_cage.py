@@ -6,13 +6,13 @@ patches that share borders go along. Vertices that make no row are passed over.
 
 import numpy as np
 
-from .. import decimals
-from .. import definition as definitions
-from ..definition import Definition, Piece
-from ..failures import Refusal
-from ..library import sc
+from ..base import decimals
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..shape import definition as definitions
+from ..shape.definition import Definition, Piece
 from . import cage_rows, patch_net, row_edits
-from .grown import NEW, STRAY, Grown, copy_of
+from .grown import Grown, NEW, STRAY, copy_of
 
 #: How far borders that patches share may lie apart, as a part of how large they are, and be taken for one.
 _SAME = 1e-9

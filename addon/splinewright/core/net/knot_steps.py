@@ -1,8 +1,8 @@
-"""Knots more and less, of a curve or of a patch along an axis (core.patch_verbs.Along): what nets of both need."""
+"""Knots more and less, of a curve or of a patch along an axis (core.verbs.patch_verbs.Along): what nets of both need."""
 
 import numpy as np
 
-from .. import parameters
+from ..shape import parameters
 
 
 def longer(knots, degree):

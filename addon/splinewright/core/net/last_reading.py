@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..arrays import are_equal
-from ..definition import Definition
+from ..base.arrays import are_equal
+from ..shape.definition import Definition
 from .exact_net import Exact, in_rows
 
 
-class Said(NamedTuple):
+class Snapshot(NamedTuple):
     """What Blender holds of a net: m vertices."""
 
     numbers: list                       # as they are written on the vertices

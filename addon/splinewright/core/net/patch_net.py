@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..infinity import foot_of
+from ..shape.infinity import foot_of
 from .net_vertices import Vertices
 
 

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import parameters
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..shape import parameters
 from . import knot_steps
 
 

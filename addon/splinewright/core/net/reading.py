@@ -9,7 +9,7 @@ from typing import Callable, NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
+from ..base.failures import Refusal
 from . import exact_net, strays
 from .exact_net import Exact
 

@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
-from ..patch_verbs import Along
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..verbs.patch_verbs import Along
 from . import knot_steps
 
 

@@ -2,9 +2,10 @@
 
 import numpy as np
 
-from .. import decimals, hollow
-from ..failures import Refusal
-from ..library import sc
+from ..base import decimals
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..surfaces import hollow
 from .recipe import Parameter, of_patches
 
 #: Which ends a recipe closes, as a parameter of it.

@@ -3,10 +3,10 @@
 import math
 from dataclasses import replace
 
-from .. import deformable
-from ..failures import Refusal
-from ..library import sc
-from .recipe import Result, Parameter, Recipe
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..deform import deformable
+from .recipe import Parameter, Recipe, Result
 
 _FORM = Parameter("form", "Form", "Which of the usual NURBS forms", "square", choices=(
     ("square", "Square", "Four quarters with their outer points on a square"),

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from .. import decimals
-from ..failures import Refusal
-from ..library import sc
-from .recipe import Result, Parameter, Recipe
+from ..base import decimals
+from ..base.failures import Refusal
+from ..base.library import sc
+from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH')
 _PARAMETERS = Parameter("parametrisation", "Spacing", "How the parameters of the points are spaced", "centripetal", choices=(

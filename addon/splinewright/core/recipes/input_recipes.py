@@ -1,8 +1,10 @@
 """What is made from other objects, live."""
 
-from .. import projecting, teaching, verbs
+from ..formulas import teaching
+from ..meets import projecting
+from ..verbs import verbs
 from . import wanted
-from .recipe import Result, Parameter, Recipe
+from .recipe import Parameter, Recipe, Result
 
 _PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
 _SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", choices=(

@@ -4,10 +4,13 @@ import math
 
 import numpy as np
 
-from .. import contours, flat, joints, meets, verbs
-from ..failures import Refusal
-from ..library import sc
-from ..numbers_in_words import numbers_of
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..base.numbers_in_words import numbers_of
+from ..drawing import contours
+from ..joints import joints
+from ..meets import meets, plane_fit
+from ..verbs import verbs
 from . import wanted
 from .recipe import Parameter, Recipe, Result, share_of_size
 from .surface_recipes import AXIS, axis_of
@@ -31,7 +34,7 @@ def _first_distance(inputs):
 
 def _offset(inputs, distance, corner, trimmed, tolerance, cancel=None):
     curves = verbs.curves_of(inputs[0])
-    normal = flat.normal_of(curves)
+    normal = plane_fit.normal_of(curves)
     made = [part for curve in curves
             for part in curve.offset(distance, normal, corner=corner, trimmed=trimmed, tolerance=tolerance, cancel=cancel)]
     return _as_result(made, tolerance)

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from .. import decimals, mirroring
-from ..failures import Refusal
+from ..base import decimals
+from ..base.failures import Refusal
+from ..deform import mirroring
 from . import wanted
 from .recipe import Parameter, Recipe, Result, of_patches
 from .surface_recipes import AXIS, axis_of

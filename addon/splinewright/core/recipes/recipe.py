@@ -6,9 +6,9 @@ from typing import Callable, NamedTuple
 
 import numpy as np
 
-from .. import definition as definitions
-from ..failures import Refusal, WrongKind
-from ..library import sc
+from ..base.failures import Refusal, WrongKind
+from ..base.library import sc
+from ..shape import definition as definitions
 
 
 @dataclass(frozen=True)
@@ -89,8 +89,8 @@ class Recipe:
     inputs: tuple = ()                  # what is to be selected, for each object that it is made from in place of
                                         # points, of wanted.Input; make() takes a list of their Definitions
     has_more: bool = False              # it takes any number of what the last of `inputs` says, in an order that can be changed
-    is_from_mesh: bool = False          # its input is a mesh that shows no shape: make() takes core.polygons.Polygons
-    takes_points: bool = False          # an empty is an input, too: make() takes a core.sections.Point for it
+    is_from_mesh: bool = False          # its input is a mesh that shows no shape: make() takes core.shape.polygons.Polygons
+    takes_points: bool = False          # an empty is an input, too: make() takes a core.surfaces.sections.Point for it
     has_turns: bool = False             # each can be turned: make() takes a list of truths as `turned`
     takes_spaces: bool = False          # make() takes the matrices (4, 4) of the inputs, where those lie, as `spaces`
     arranged: Callable | None = None    # (inputs) -> their order, as numbers from 0, in which they are taken at first

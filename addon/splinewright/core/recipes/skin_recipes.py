@@ -2,11 +2,11 @@
 
 import math
 
-import numpy as np
-
-from .. import decimals, holes, lofts, neighbors, overlaps, rails, rims, sections, verbs
-from ..failures import AboutInputs, Refusal, about_input, about_items
-from ..library import sc
+from ..base import decimals
+from ..base.failures import AboutInputs, Refusal, about_input, about_items
+from ..base.library import sc
+from ..surfaces import holes, lofts, neighbors, overlaps, rails, rims, sections
+from ..verbs import verbs
 from . import capping, wanted
 from .recipe import Parameter, Recipe, Result, of_patches
 

@@ -4,16 +4,16 @@ import math
 
 import numpy as np
 
-from .. import definition as definitions
-from .. import deforming, overlaps
-from ..deformable import revolved
-from ..failures import AboutInputs, Refusal, about_input
-from ..library import sc
-from . import capping
-from .curve_recipes import constants_of, formula_of
+from ..base.failures import AboutInputs, Refusal, about_input
+from ..base.library import sc
+from ..deform import deforming
+from ..deform.deformable import revolved
+from ..shape import definition as definitions
+from ..surfaces import overlaps
+from . import capping, wanted
 from .conic_recipes import DEVIATION
-from . import wanted
-from .recipe import Result, Parameter, Recipe, of_patches, share_of_size
+from .curve_recipes import constants_of, formula_of
+from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
 
 _RADIUS = Parameter("radius", "Radius", "Distance from the axis or the middle", 1.0, 1e-6, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Along the axis", 2.0, 1e-6, unit='LENGTH')

@@ -2,14 +2,17 @@
 
 import math
 
-from .. import decimals, matching, overlaps, patch_joints, verbs
-from ..failures import Refusal, about_input
-from ..library import sc
-from ..patch_curves import SIDE_CHOICES
-from ..rounding import crossing
+from ..base import decimals
+from ..base.failures import Refusal, about_input
+from ..base.library import sc
+from ..joints import patch_joints
 from ..rounding import edges as rounding
-from .meeting_recipes import patches_of
+from ..rounding import crossing
+from ..surfaces import matching, overlaps
+from ..verbs import verbs
+from ..verbs.patch_curves import SIDE_CHOICES
 from . import wanted
+from .meeting_recipes import patches_of
 from .recipe import Parameter, Recipe, Result, of_patches, share_of_size
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from where it should be, in the scene", 1e-4, 1e-9,

@@ -9,7 +9,7 @@ from itertools import product
 
 import numpy as np
 
-from ..library import sc
+from ..base.library import sc
 
 #: Weights below this are raised away, and so high.
 _LEAST_WEIGHT, _HIGHEST = 0.02, 8

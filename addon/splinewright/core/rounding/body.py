@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .. import patch_curves
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..verbs import patch_curves
 from .cells import FLAT, SMOOTH_TURN, parts_of, plane_of
 
 #: Places that lie so near to each other, as a part of the size of all, are one.

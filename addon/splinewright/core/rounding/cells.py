@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from .. import patch_curves
-from ..joints import SMOOTH
-from ..library import sc
+from ..base.library import sc
+from ..joints.joints import SMOOTH
+from ..verbs import patch_curves
 
 #: Points that lie so near to a plane, as a part of the size, lie in it.
 FLAT = 1e-9

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
 
 #: Parameters along a curve, as a part of the domain, that differ by less are one.
 _SAME = 1e-6

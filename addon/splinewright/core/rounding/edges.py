@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..numbers_in_words import numbers_of
+from ..base.failures import Refusal
+from ..base.numbers_in_words import numbers_of
 from . import planes, rolling
 from .body import body_of, require_two
 from .cells import cells_of

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
 
 #: Corners that turn by less have no inside; nor have places with less room, as a part of the size.
 _LEAST_SINE = 1e-9

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
 from . import strips
 from .outlines import filled, outline_of, segment
 from .planes import named

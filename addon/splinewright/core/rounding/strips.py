@@ -3,8 +3,8 @@ at which it touches the surface on the other side, whatever the patches of the p
 
 import numpy as np
 
-from ..failures import Refusal
-from ..library import sc
+from ..base.failures import Refusal
+from ..base.library import sc
 
 #: How wide strips are by the radius, in the order in which they are tried.
 WIDTHS = (1.02, 1.05, 1.1, 1.5, 4.0, 12.0)

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import BoolProperty
 
-from ...core import starters
+from ...core.shape import starters
 from . import new_shapes
 from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 
@@ -45,7 +45,7 @@ class SPLINEWRIGHT_OT_add_bezier_curve(AddShape, bpy.types.Operator):
 
 
 class _AddChain(AddShape):
-    """`chain` of core.starters makes it."""
+    """`chain` of core.shape.starters makes it."""
 
     chain = None
 

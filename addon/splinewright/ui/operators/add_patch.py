@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import starters
+from ...core.shape import starters
 from . import new_shapes
 from .adding import AddShape, count_property, degree_property, enough_points, knots_property, resolution_property
 

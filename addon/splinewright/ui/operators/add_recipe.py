@@ -3,9 +3,9 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import remaking
-from ...core import starters
+from ...bridge.shape import recipe_edit
 from ...core.recipes.table import STARTING
+from ...core.shape import starters
 from .. import recipe_props, scene_tolerance
 from . import new_shapes
 from .adding import AddShape, resolution_property
@@ -17,7 +17,7 @@ class _AddRecipe(AddShape):
     recipe = None
 
     def execute(self, context):
-        scene_tolerance.settle(self, context, self.recipe)
+        scene_tolerance.fill_from_scene(self, context, self.recipe)
         return super().execute(context)
 
     def new_data(self, step):
@@ -26,7 +26,7 @@ class _AddRecipe(AddShape):
         points = recipe.start_for(values) * self.size
         if recipe.has_any_count:
             points = _spread(points, self.count)
-        return remaking.new_data(recipe.label, recipe, values, points, new_shapes.start(self))
+        return recipe_edit.new_data(recipe.label, recipe, values, points, new_shapes.start(self))
 
     def draw_shape(self, layout):
         for parameter in self.recipe.counting(self):

@@ -5,8 +5,8 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import fineness, store
-from ...core.failures import FAILURES
+from ...bridge.data import store, tessellate
+from ...core.base.failures import FAILURES
 from . import polls, reports
 
 FOLDER = Path(__file__).resolve().parents[2] / "samples"
@@ -41,9 +41,9 @@ class SPLINEWRIGHT_OT_add_sample(bpy.types.Operator):
             context.window.scene = scene
         for ob in collection.objects:
             if ob.type == 'MESH' and store.has_definition(ob.data):
-                ob.data.splinewright.mode = fineness.AUTOMATIC
+                ob.data.splinewright.mode = tessellate.AUTOMATIC
         _look_at_all(context)
-        return reports.finished(self, reports.Said(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
+        return reports.finished(self, reports.Report(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
 
 
 def _appended(path, label):
@@ -82,7 +82,7 @@ class SPLINEWRIGHT_OT_add_asset_library(bpy.types.Operator):
     def execute(self, context):
         bpy.ops.preferences.asset_library_add('EXEC_DEFAULT', directory=str(FOLDER))
         context.preferences.filepaths.asset_libraries[-1].name = "Splinewright"
-        return reports.finished(self, reports.Said("The samples are in the asset browser: library Splinewright"))
+        return reports.finished(self, reports.Report("The samples are in the asset browser: library Splinewright"))
 
 
 def _is_library(context):

@@ -4,9 +4,9 @@ import bpy
 from bpy.props import FloatProperty, FloatVectorProperty, IntProperty, StringProperty
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
-from ...bridge import shape
-from ...core import starters
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.shape import starters
 from .. import progress
 from . import new_shapes, reports
 
@@ -84,7 +84,7 @@ class AddShape(AddObjectHelper):
         return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), new_shapes.start(self), step)
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             with progress.shown(context, shape.STEPS) as step:
                 data = self.new_data(step)

@@ -6,10 +6,11 @@ from contextlib import suppress
 import bpy
 from bpy.props import FloatProperty
 
-from ...bridge import recipes
-from ...bridge.net import live, net_object
-from ...core import decimals
-from ...core.failures import FAILURES, sentence
+from ...bridge.cage import net_object
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, sentence
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -57,7 +58,7 @@ class _Changes(Sideways):
         if problem:
             return reports.cancelled(self, problem)
         if self.is_nothing():
-            return reports.finished(self, reports.Said("Nothing changed"))
+            return reports.finished(self, reports.Report("Nothing changed"))
         try:
             for gesture in self._gestures:
                 gesture.show(*self.change())
@@ -70,7 +71,7 @@ class _Changes(Sideways):
         for gesture in self._gestures:
             live.end_along(gesture)
         count = sum(gesture.count for gesture in self._gestures)
-        return reports.finished(self, reports.Said(f"{self.text('')} of {count} points" if count > 1 else self.text("")))
+        return reports.finished(self, reports.Report(f"{self.text('')} of {count} points" if count > 1 else self.text("")))
 
     def put_back(self):
         for gesture in self._gestures:

@@ -2,10 +2,10 @@
 
 import bpy
 
-from ...bridge import replacing
-from ...bridge.file_state import state
-from ...core.failures import FAILURES
-from .. import hand, picking
+from ...bridge.edit import replace_pieces
+from ...core.base.failures import FAILURES
+from .. import active_shape, picking
+from ..ui_state import ui_state
 from . import patch_join, polls, reports
 from .pointing import Pointing, given, redraw, take_again
 
@@ -32,11 +32,11 @@ class _PicksSides(Pointing):
         return list({ob.name: ob for ob, _ in self.pieces(context, self._picked)}.values())
 
     def forget(self):
-        state.sides = ()
+        ui_state.sides = ()
 
     def look(self, context, event):
         self._found = found = side_at(context, event.mouse_x, event.mouse_y, self.pieces(context, self._picked))
-        state.sides = tuple((ob.name, number, side) for ob, number, side in [*self._picked, *([found] if found else [])])
+        ui_state.sides = tuple((ob.name, number, side) for ob, number, side in [*self._picked, *([found] if found else [])])
         redraw()
         return found is not None
 
@@ -61,7 +61,7 @@ def side_at(context, x, y, pieces):
 
 
 def patches_of(obs):
-    return [(ob, number) for ob in obs if replacing.is_patch_shape(ob) and ob.visible_get() for number in hand.counted(ob.data)]
+    return [(ob, number) for ob in obs if replace_pieces.is_patch_shape(ob) and ob.visible_get() for number in active_shape.counted(ob.data)]
 
 
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
@@ -80,7 +80,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
 
     def pieces(self, context, picked):
         found = patches_of({ob.name: ob for ob in (context.object, *context.selected_objects)}.values())
@@ -104,7 +104,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_patch_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
             cls.poll_message_set("Select a patch shape in Object Mode")
             return False
         return True

@@ -4,10 +4,12 @@ import bpy
 from bpy.props import FloatVectorProperty, StringProperty
 from mathutils import Matrix, Vector
 
-from ...bridge import follow, recipes, shape
-from ...bridge.file_state import state
-from ...core.failures import FAILURES, Refusal
+from ...bridge.follow import follow
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from .. import edge_picking
+from ..ui_state import ui_state
 from . import polls, reports
 from .pointing import Pointing, redraw
 
@@ -40,15 +42,15 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
         return self.begin(context, event)
 
     def forget(self):
-        state.edge = None
+        ui_state.edge = None
 
     def look(self, context, event):
-        state.edge = edge_picking.edge_at(context, event.mouse_x, event.mouse_y, context.object)
+        ui_state.edge = edge_picking.edge_at(context, event.mouse_x, event.mouse_y, context.object)
         redraw()
-        return state.edge is not None
+        return ui_state.edge is not None
 
     def clicked(self, context):
-        self.parent, self.start, self.end = state.edge
+        self.parent, self.start, self.end = ui_state.edge
         self.cancel(context)
         return self.execute(context)
 
@@ -63,7 +65,7 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
                 bpy.data.objects.remove(axis)
             return reports.failed(self, error, ob.name)
         beside = f" beside {self.parent}" if self.parent else ""
-        return reports.finished(self, reports.Said(f"{ob.name} turns about {axis.name}{beside}"))
+        return reports.finished(self, reports.Report(f"{ob.name} turns about {axis.name}{beside}"))
 
 
 def _put_axis(context, ob, start, end, parent):

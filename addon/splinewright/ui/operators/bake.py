@@ -3,8 +3,9 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import baking, shape
-from ...core.failures import FAILURES
+from ...bridge.edit import baking
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
 from .. import progress
 from . import polls, reports
 from .selected import OnSelected
@@ -105,7 +106,7 @@ class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
         if not baked:
             return reports.cancelled(self, *words)
         done = f"Baked {_listed(baked)} from frame {self.frame_start} to {self.frame_end}"
-        return reports.finished(self, reports.Said(done, words))
+        return reports.finished(self, reports.Report(done, words))
 
 
 def _listed(names):

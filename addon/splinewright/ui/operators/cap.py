@@ -3,10 +3,12 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import keyed, recipes, replacing
-from ...core import caps
-from ...core.failures import Refusal
+from ...bridge.edit import replace_pieces
+from ...bridge.net import keyed
+from ...bridge.recipes import recipes
+from ...core.base.failures import Refusal
 from ...core.recipes import capping
+from ...core.surfaces import caps
 from . import reports
 from .selected import OnSelected
 
@@ -18,7 +20,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
                       "outward")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs, done = "Select a shape of patches", "Capped {}"
-    fits = staticmethod(replacing.is_patch_shape)
+    fits = staticmethod(replace_pieces.is_patch_shape)
     has_settings = True
 
     ends: EnumProperty(name="Ends", description="Which open ends are closed", items=(
@@ -26,14 +28,14 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
         ('LONGEST', "Longest", "The one with the longest rim")))
 
     def can_work(self, ob):
-        return replacing.can_change(ob.data)
+        return replace_pieces.can_change(ob.data)
 
     def work(self, context, ob):
         if recipes.follows(ob.data):
             return self._set(ob.data)
-        before = replacing.read(ob.data)
+        before = replace_pieces.read(ob.data)
         found = caps.capped(before, self.ends)
-        replacing.put(ob.data, before, found.changed)
+        replace_pieces.put(ob.data, before, found.changed)
         return found
 
     def _set(self, data):
@@ -58,7 +60,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
             bend = max(one.bend for one in found)
             more += capping.bend_in_words(bend)
             more += ["normals turned outwards"] if any(one.is_turned for one in found) else []
-        return reports.Said(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
+        return reports.Report(": ".join(filter(None, (self.summary(outcomes), ", ".join(more)))))
 
     def draw(self, context):
         self.layout.use_property_split = True

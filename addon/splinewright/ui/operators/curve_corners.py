@@ -3,10 +3,13 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ...bridge import joining, replacing, store
-from ...core import decimals, meeting, verbs
-from ...core.failures import FAILURES
-from .. import hand
+from ...bridge.data import store
+from ...bridge.edit import joining, replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.meets import meeting
+from ...core.verbs import verbs
+from .. import active_shape
 from . import pieces, polls, reports
 from .on_shapes import OnCurves
 from .pick_piece import draw_number
@@ -94,17 +97,17 @@ class _Between:
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         self.first = max(self.first, 1)
         return self.execute(context)
 
     def execute(self, context):
         """With the sizes of the last call, or where there was none, or they do not fit, with some that are likely to."""
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
-        parted = hand.count_of(ob.data) if others else None
+        parted = active_shape.count_of(ob.data) if others else None
         is_given = self.properties.is_property_set(self.sizes[0])
         if not is_given and all(decimals.typed(getattr(self, name)) == _DEFAULT for name in self.sizes):
             self._suggest(ob)
@@ -114,9 +117,9 @@ class _Between:
             if is_given or not self._suggest(ob):
                 return reports.failed(self, error, ob.name)
             return self.execute(context)
-        hand.keep(ob.data, outcome[1].parents)
-        hand.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Said(self.done.format(ob.name) + pieces.told([outcome])))
+        active_shape.keep(ob.data, outcome[1].parents)
+        active_shape.note_pair(self, ob, outcome[1].parents, parted)
+        return reports.finished(self, reports.Report(self.done.format(ob.name) + pieces.told([outcome])))
 
     def _suggest(self, ob):
         """Begin with a share of the size; whether that is known."""

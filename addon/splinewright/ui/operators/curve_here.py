@@ -4,11 +4,14 @@ from functools import partial
 
 import bpy
 
-from ...bridge import beside, replacing, surveys
-from ...bridge.file_state import state
-from ...core import decimals, meeting
-from ...core.failures import FAILURES
-from .. import aim_overlay, hand, picking
+from ...bridge.analysis import surveys
+from ...bridge.edit import replace_pieces
+from ...bridge.follow import neighboring_curves
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.meets import meeting
+from .. import active_shape, aim_overlay, picking
+from ..ui_state import ui_state
 from . import curve_corners, curve_meeting, polls, reports
 from .insert_here import ByClick
 from .pointing import Pointing, given, redraw
@@ -31,7 +34,7 @@ class _OnCurve(ByClick):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_curve_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_curve_shape, context.selected_objects)):
             cls.poll_message_set("Select a curve shape in Object Mode")
             return False
         return super().poll(context)
@@ -49,7 +52,7 @@ class _OnCurve(ByClick):
 
     @classmethod
     def meant(cls, context):
-        return list(filter(replacing.is_curve_shape, super().meant(context)))
+        return list(filter(replace_pieces.is_curve_shape, super().meant(context)))
 
     @classmethod
     def with_line(cls, context, aimed, meet, known):
@@ -59,7 +62,7 @@ class _OnCurve(ByClick):
         ob = bpy.data.objects[aimed.name]
         obs = context.selected_objects if meet == 'SELECTED' else context.visible_objects
         try:
-            curves = once(known, (ob.name, meet), lambda: [*surveys.pieces_of(ob.data), *beside.curves_of(
+            curves = once(known, (ob.name, meet), lambda: [*surveys.pieces_of(ob.data), *neighboring_curves.curves_of(
                 ob, obs, context.evaluated_depsgraph_get())])
             line = cls.line_of(curves, aimed, partial(once, known))
         except FAILURES:
@@ -132,7 +135,7 @@ class _PicksCurves(Pointing):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     @staticmethod
     def operator():
@@ -149,7 +152,7 @@ class _PicksCurves(Pointing):
         return self.begin(context, event)
 
     def forget(self):
-        state.aimed = None
+        ui_state.aimed = None
 
     def look(self, context, event):
         try:
@@ -158,12 +161,12 @@ class _PicksCurves(Pointing):
             found = None                # such a shape shows nothing to point at
         self._found = found if found and not self._is_picked(found) else None
         shown = self._found or next(iter(self._picked), None)
-        state.aimed = aim_overlay.Aim(shown[0].name, *shown[1:], 'U') if shown else None
+        ui_state.aimed = aim_overlay.Aim(shown[0].name, *shown[1:], 'U') if shown else None
         redraw()
         return self._found is not None
 
     def meant(self, context):
-        obs = [ob for ob in context.selected_objects if hand.is_free(ob) and ob.visible_get()]
+        obs = [ob for ob in context.selected_objects if active_shape.is_free(ob) and ob.visible_get()]
         return [ob for ob in obs if ob != self._picked[0][0]] if self._picked and len(obs) > 1 else obs
 
     def _is_picked(self, found):

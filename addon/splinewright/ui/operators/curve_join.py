@@ -3,10 +3,11 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import joining, replacing, store
-from ...core import joints
-from ...core.failures import FAILURES
-from .. import hand, scene_tolerance
+from ...bridge.data import store
+from ...bridge.edit import joining, replace_pieces
+from ...core.base.failures import FAILURES
+from ...core.joints import joints
+from .. import active_shape, scene_tolerance
 from . import polls, reports
 from .pick_piece import draw_number
 from .pieces import UpToTolerance, scene_tolerance_property, told
@@ -30,22 +31,22 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         return self.execute(context)
 
     def execute(self, context):
         ob, others = context.object, [ob for ob in context.selected_objects if ob != context.object]
-        parted = hand.count_of(ob.data) if others else None
+        parted = active_shape.count_of(ob.data) if others else None
         try:
             outcome = self._joined(ob, others)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.keep(ob.data, outcome[1].parents)
-        hand.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Said(f"Joined ends of {ob.name}" + told([outcome])))
+        active_shape.keep(ob.data, outcome[1].parents)
+        active_shape.note_pair(self, ob, outcome[1].parents, parted)
+        return reports.finished(self, reports.Report(f"Joined ends of {ob.name}" + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -66,20 +67,20 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_description = "Join pieces of a curve shape where their ends meet, and remove unnecessary knots"
     bl_options = {'REGISTER', 'UNDO'}
     needs, done = "Select a curve shape", "Joined pieces of {}"
-    fits = staticmethod(replacing.is_curve_shape)
+    fits = staticmethod(replace_pieces.is_curve_shape)
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
 
     def work(self, context, ob):
-        replacing.require_changeable(ob.data)
+        replace_pieces.require_changeable(ob.data)
         before = store.read(ob.data)
         changed = joints.chained(before, self.tolerance)
-        replacing.put(ob.data, before, changed)
-        hand.keep(ob.data, changed.parents)
+        replace_pieces.put(ob.data, before, changed)
+        active_shape.keep(ob.data, changed.parents)
         return before, changed
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes) + told(outcomes.values()))
+        return reports.Report(self.summary(outcomes) + told(outcomes.values()))
 
 
 class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
@@ -95,7 +96,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         chosen = context.selected_objects
-        if context.object not in chosen or len(chosen) < 2 or not all(map(replacing.is_curve_shape, chosen)):
+        if context.object not in chosen or len(chosen) < 2 or not all(map(replace_pieces.is_curve_shape, chosen)):
             cls.poll_message_set("Select two curve shapes or more, the one to keep last")
             return False
         return True
@@ -108,8 +109,8 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
             outcome = joining.join_changed(ob, others, lambda definition, parted: joints.chained(definition, self.tolerance))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.keep(ob.data, outcome[1].parents)
-        return reports.finished(self, reports.Said(f"Joined curves into {ob.name}" + told([outcome])))
+        active_shape.keep(ob.data, outcome[1].parents)
+        return reports.finished(self, reports.Report(f"Joined curves into {ob.name}" + told([outcome])))
 
     def draw(self, context):
         self.layout.use_property_split = True

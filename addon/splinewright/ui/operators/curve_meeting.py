@@ -5,8 +5,11 @@ from functools import partial
 import bpy
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 
-from ...bridge import beside, replacing
-from ...core import decimals, meeting, verbs
+from ...bridge.edit import replace_pieces
+from ...bridge.follow import neighboring_curves
+from ...core.base import decimals
+from ...core.meets import meeting
+from ...core.verbs import verbs
 from . import pieces
 from .on_shapes import OnCurves
 from .pieces import parameter_property
@@ -35,13 +38,13 @@ class _Meeting(pieces.LongOnPieces, OnCurves):
         raise NotImplementedError
 
     def tasks(self, context):
-        return {ob.name: self._task_with(replacing.read(ob.data), self._others(context, ob))
-                for ob in self.chosen(context) if replacing.can_change(ob.data)}
+        return {ob.name: self._task_with(replace_pieces.read(ob.data), self._others(context, ob))
+                for ob in self.chosen(context) if replace_pieces.can_change(ob.data)}
 
     def work(self, context, ob):
-        before = replacing.read(ob.data)
+        before = replace_pieces.read(ob.data)
         changed = self.result_of(ob.name, self._task_with(before, self._others(context, ob)))
-        replacing.put(ob.data, before, changed)
+        replace_pieces.put(ob.data, before, changed)
         self._note(ob, changed)
         return before, changed
 
@@ -52,7 +55,7 @@ class _Meeting(pieces.LongOnPieces, OnCurves):
 
     def _others(self, context, ob):
         obs = context.selected_objects if self.meet == 'SELECTED' else context.visible_objects
-        return beside.curves_of(ob, obs, context.evaluated_depsgraph_get())
+        return neighboring_curves.curves_of(ob, obs, context.evaluated_depsgraph_get())
 
 
 class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):

@@ -6,8 +6,9 @@ import re
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge import follow, strokes
-from ...core.failures import Refusal
+from ...bridge.edit import grease_pencil
+from ...bridge.follow import follow
+from ...core.base.failures import Refusal
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import recipe_props
 from . import new_shapes
@@ -69,7 +70,7 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
 
 
 def _takes_strokes(context):
-    return not context.selected_objects or any(map(strokes.is_drawn, context.selected_objects))
+    return not context.selected_objects or any(map(grease_pencil.is_drawn, context.selected_objects))
 
 
 def _in_numbers(name):

@@ -5,9 +5,12 @@ import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 from mathutils import Matrix
 
-from ...bridge import replacing, store
-from ...core import decimals, dividing, measured
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.edit import replace_pieces
+from ...core.analysis import measured
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.verbs import dividing
 from .. import progress
 from . import reports
 from .adding import Repeatable, can_add
@@ -76,7 +79,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         for each in new:
             each.select_set(True)
         context.view_layer.objects.active = new[0]
-        return self.finished(context, reports.Said(parts))
+        return self.finished(context, reports.Report(parts))
 
     def _task(self, ob):
         """A function that gives, for a `cancel` as the library takes it, ((n, 4, 4) of all curves of the shape, in the world;
@@ -142,7 +145,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
 
 
 def _is_curve(ob):
-    return ob is not None and replacing.is_curve_shape(ob)
+    return ob is not None and replace_pieces.is_curve_shape(ob)
 
 
 def _said_of_parts(curves, wanted):

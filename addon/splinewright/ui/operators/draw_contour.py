@@ -8,12 +8,13 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import remaking, shape
-from ...bridge.file_state import state
-from ...core import contours, decimals, guides, typed_number
-from ...core.failures import FAILURES
+from ...bridge.shape import recipe_edit, shape
+from ...core.base import decimals, typed_number
+from ...core.base.failures import FAILURES
+from ...core.drawing import contours, guides
 from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
+from ..ui_state import ui_state
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
 from .pointing import PASSED, Typing, redraw
@@ -89,13 +90,13 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.contour = state.weighing = None
+        ui_state.contour = ui_state.weighing = None
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             data = self._data(contours.from_text(self.contour).without_repeats())
@@ -103,7 +104,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, context.selected_objects)
-        return reports.finished(self, reports.Said())
+        return reports.finished(self, reports.Report())
 
     def _data(self, drawn):
         """With round corners what keeps their radius; sharp ones can be rounded, cut and trimmed as they are."""
@@ -111,7 +112,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             return shape.new_data("Contour", contours.curve_of(drawn), new_shapes.start(self))
         values = {'corners': 'round', 'corner_size': decimals.typed(self.radius), 'closed': drawn.closed and len(drawn.points) > 2,
                   'arcs': ", ".join(map(str, drawn.sides()))}
-        return remaking.new_data("Contour", RECIPES['contour'], values, np.array(drawn.points), new_shapes.start(self))
+        return recipe_edit.new_data("Contour", RECIPES['contour'], values, np.array(drawn.points), new_shapes.start(self))
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -188,10 +189,10 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         return np.hypot(*(first - (event.mouse_x - region.x, event.mouse_y - region.y))) <= picking.near(_MEETING)
 
     def _show(self, context, event):
-        state.contour = self._drawn, self._longer
+        ui_state.contour = self._drawn, self._longer
         words = " ".join(filter(None, (self._measures(), self._mark)))
         view = self._view or picking.view_at(event.mouse_x, event.mouse_y)
-        state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
+        ui_state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
                           if view and words else None)
         kind = "tangent arc" if self._kind == contours.ARC else "segment"
         keys = [f"Click: {kind}", "A: segment, arc",

@@ -6,12 +6,13 @@ from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import parameters, recipes, remaking
-from ...bridge.file_state import state
-from ...core import polylines
-from ...core.failures import FAILURES, Refusal
+from ...bridge.recipes import parameters, recipes
+from ...bridge.shape import recipe_edit
+from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import RECIPES
+from ...core.shape import polylines
 from .. import picking, recipe_props
+from ..ui_state import ui_state
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
 from .pointing import PASSED, redraw
@@ -67,22 +68,22 @@ class _Pen:
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.drawn_stroke = ()
+        ui_state.drawn_stroke = ()
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             points = _points_of(self.stroke)
-            data = remaking.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
+            data = recipe_edit.new_data("Drawn Curve", _SPLINE, self._values(), points, new_shapes.start(self))
         except FAILURES as error:
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, context.selected_objects)
-        return reports.finished(self, reports.Said(new_shapes.said_of([ob], recipes.error(data))))
+        return reports.finished(self, reports.Report(new_shapes.said_of([ob], recipes.error(data))))
 
     def draw(self, context):
         layout = self.layout
@@ -125,11 +126,11 @@ class _Pen:
             context, region, view, pixel, context.evaluated_depsgraph_get(), ())
         self._depth = seen[2] if seen else view3d_utils.region_2d_to_location_3d(region, view, pixel, self._depth)
         self._pixels.append(pixel)
-        state.drawn_stroke = (*state.drawn_stroke, tuple(self._depth))
+        ui_state.drawn_stroke = (*ui_state.drawn_stroke, tuple(self._depth))
         redraw()
 
     def _end(self, context):
-        points, pixels = state.drawn_stroke, self._pixels
+        points, pixels = ui_state.drawn_stroke, self._pixels
         self.cancel(context)
         length = sum((after - before).length for before, after in zip(pixels, pixels[1:]))
         if length < picking.near(_SHORTEST):

@@ -2,10 +2,10 @@
 
 import bpy
 
-from ...bridge import shape
-from ...bridge.net import net_object
-from ...core.failures import FAILURES
-from .. import editing, hand, messages, progress, texts
+from ...bridge.cage import net_object
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
+from .. import active_shape, editing, messages, progress, texts
 from . import polls, reports
 
 
@@ -19,7 +19,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        reason = editing.why_not(hand.shape_of(context.object))
+        reason = editing.why_not(active_shape.shape_of(context.object))
         if reason:
             cls.poll_message_set(reason)
         return not reason
@@ -27,7 +27,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
     def execute(self, context):
         try:
             with progress.shown(context, len(context.selected_objects)) as step:
-                editing.enter(context, hand.shape_of(context.object), step)
+                editing.enter(context, active_shape.shape_of(context.object), step)
         except FAILURES as error:
             return reports.failed(self, error)
         return {'FINISHED'}
@@ -70,7 +70,7 @@ class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
         messages.refresh()
         is_news = lost and not getattr(self, '_lost', "")
         warnings = (f"The last state of the net was not taken: {lost}",) if is_news else ()
-        return reports.finished(self, reports.Said(warnings=warnings))
+        return reports.finished(self, reports.Report(warnings=warnings))
 
 
 def _names(title, button):
@@ -93,7 +93,7 @@ class SPLINEWRIGHT_OT_renew_net(_OnNets, bpy.types.Operator):
             return reports.failed(self, error)
         warnings = tuple(editing.anew(context, nets))
         messages.refresh()
-        return reports.finished(self, reports.Said(warnings=warnings))
+        return reports.finished(self, reports.Report(warnings=warnings))
 
 
 CLASSES = (SPLINEWRIGHT_OT_edit_net, SPLINEWRIGHT_OT_leave_net, SPLINEWRIGHT_OT_renew_net)

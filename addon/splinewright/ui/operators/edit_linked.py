@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...bridge import shape
+from ...bridge.shape import shape
 from . import polls, reports
 
 

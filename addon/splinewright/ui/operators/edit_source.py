@@ -3,8 +3,10 @@
 import bpy
 from bpy.props import EnumProperty, StringProperty
 
-from ...bridge import recipes, shape, store
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from .. import editing, texts
 from . import polls, reports
 
@@ -155,7 +157,7 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
             else:
                 editing.enter(context, ob)
         except FAILURES as error:
-            return reports.finished(self, reports.Said(warnings=(reports.named(ob.name, str(error)),)))
+            return reports.finished(self, reports.Report(warnings=(reports.named(ob.name, str(error)),)))
         return {'FINISHED'}
 
 

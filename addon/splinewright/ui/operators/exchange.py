@@ -8,12 +8,13 @@ import numpy as np
 from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
-from ...bridge import blocks, shape, store, versions
-from ...core import transform
-from ...core import definition as definitions
-from ...core.definition import ANY_CURVES
-from ...core.failures import FAILURES, Refusal, sentence
-from ...core.library import sc
+from ...bridge.data import blocks, store, versions
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.library import sc
+from ...core.shape import definition as definitions
+from ...core.shape import transform
+from ...core.shape.definition import ANY_CURVES
 from .. import progress
 from . import new_shapes, reports
 from .adding import can_add, resolution_property
@@ -94,7 +95,7 @@ class _Import(ImportHelper):
         _link(context, made)
         done = len(paths) - len(failed)
         what = made[0][0] if len(made) == 1 else f"{len(made)} objects" + (f" of {done} files" if done > 1 else "")
-        return reports.finished(self, reports.Said(f"Imported {what}", warnings=reasons))
+        return reports.finished(self, reports.Report(f"Imported {what}", warnings=reasons))
 
     def _paths(self):
         """The files that were chosen or dropped, or the one that a script names."""
@@ -168,7 +169,7 @@ class _Export(ExportHelper):
         what = f"Exported {count} objects to" if count > 1 else "Exported"
         changed = {ob.name: _CHANGED for ob in chosen if ob.name not in left_out and shape.is_touched(ob.data)}
         warnings = reports.by_name({**left_out, **changed})
-        return reports.finished(self, reports.Said(f"{what} {_printable(path.name)}", warnings=warnings))
+        return reports.finished(self, reports.Report(f"{what} {_printable(path.name)}", warnings=warnings))
 
     def _value(self, ob):
         if not self.transform:

@@ -3,8 +3,8 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ...bridge import extracting
-from ...core import patch_curves
+from ...bridge.edit import extracting
+from ...core.verbs import patch_curves
 from . import reports
 from .adding import Repeatable, can_add
 from .on_shapes import AtParameters, OnPatches, direction_property
@@ -45,7 +45,7 @@ class _Extract(Repeatable, OnPatches):
 
     def said(self, outcomes):
         left_out = [text for texts in outcomes.values() for text in texts]
-        return reports.Said(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
+        return reports.Report(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
 
 
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):

@@ -3,10 +3,13 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import fineness, mesh_looks, problems, replacing, settings, shape
-from ...core import decimals
-from ...core.failures import Refusal
-from .. import hand
+from ...bridge.data import problems, settings, tessellate
+from ...bridge.edit import replace_pieces
+from ...bridge.mesh import mesh_looks
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import Refusal
+from .. import active_shape
 from . import reports
 from .pick_piece import draw_number
 from .selected import OnSelected
@@ -14,7 +17,7 @@ from .selected import OnSelected
 
 class _OnPatches(OnSelected):
     needs = "Select a shape of patches"
-    fits = staticmethod(replacing.is_patch_shape)
+    fits = staticmethod(replace_pieces.is_patch_shape)
 
 
 class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
@@ -28,7 +31,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
 
     def work(self, context, ob):
         depsgraph = context.evaluated_depsgraph_get()
-        tolerance = self.pixels * fineness.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
+        tolerance = self.pixels * tessellate.of_render(ob, shape.points_of(ob.data), context.scene, depsgraph)
         shape.require_writable(ob.data)
         before, chosen = len(ob.data.polygons), settings.of(ob.data)
         least = chosen.bl_rna.properties['tolerance'].hard_min
@@ -39,15 +42,15 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         problem = problems.of(ob.data, problems.SETTING)
         if problem:
             settings.put_back(ob.data, *was)
-            problems.tell(ob.data, problems.SETTING, "")
+            problems.set_problem(ob.data, problems.SETTING, "")
             raise Refusal(problem)
         return tolerance, before, len(ob.data.polygons)
 
     def said(self, outcomes):
         if len(outcomes) > 1:
-            return reports.Said(f"{len(outcomes)} objects are shown as the render needs")
+            return reports.Report(f"{len(outcomes)} objects are shown as the render needs")
         (name, (tolerance, before, now)), = outcomes.items()
-        return reports.Said(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
+        return reports.Report(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
@@ -62,13 +65,13 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
                       default=0, min=0, options={'SKIP_SAVE'})
 
     def invoke(self, context, event):
-        hand.begin(self, self.chosen(context))
+        active_shape.begin(self, self.chosen(context))
         return self.execute(context)
 
     def execute(self, context):
-        hand.forget_asked()
+        active_shape.forget_asked()
         for ob in self.chosen(context):
-            hand.note(self, 'piece', ob)
+            active_shape.note(self, 'piece', ob)
         return super().execute(context)
 
     def draw(self, context):

@@ -5,10 +5,10 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
-from ...bridge import shape
-from ...core import decimals, vertex_grid
-from ...core.failures import FAILURES, Refusal
-from ...core.library import sc
+from ...bridge.shape import shape
+from ...core.base import decimals, vertex_grid
+from ...core.base.failures import FAILURES, Refusal
+from ...core.base.library import sc
 from .. import editing, progress
 from . import new_shapes, reports
 from .add_patch import draw_pairs
@@ -36,7 +36,7 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
         return True
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         made = []
         try:
             require_place(context)
@@ -53,7 +53,7 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
             new.matrix_world, _ = new_shapes.without_scale(source.matrix_world)
             add_in_front(context, new, context.selected_objects if new == made[0][0] else [])
         new, _, errors = zip(*made)
-        return self.finished(context, reports.Said(new_shapes.said_of(new, max(errors))))
+        return self.finished(context, reports.Report(new_shapes.said_of(new, max(errors))))
 
     def tasks(self, context):
         return {ob.name: self.task(ob) for ob in context.objects_in_mode_unique_data}

@@ -3,8 +3,9 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
-from ...bridge import derived, follow, shape
-from ...core.failures import FAILURES, Refusal
+from ...bridge.follow import follow, recipe_results
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import FOLLOW
 from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
     def poll(cls, context):
         if not polls.in_object_mode(cls, context):
             return False
-        if not derived.is_possible(context.object):
+        if not recipe_results.is_possible(context.object):
             cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
             return False
         return True
@@ -52,7 +53,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error)
         self.source = source.name       # the redo panel shows it
-        return reports.finished(self, reports.Said(f"{target.name} follows {source.name}"))
+        return reports.finished(self, reports.Report(f"{target.name} follows {source.name}"))
 
     def draw(self, context):
         layout = self.layout
@@ -70,7 +71,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
                 raise Refusal(f"there is no object named {self.source} in this scene")
             is_target = not self.is_added and shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
-        others = [ob for ob in context.selected_objects if ob != context.object and derived.is_possible(ob)]
+        others = [ob for ob in context.selected_objects if ob != context.object and recipe_results.is_possible(ob)]
         if shape.has_shape(context.object) and len(others) == 1:
             return context.object, others[0]
         return None, context.object

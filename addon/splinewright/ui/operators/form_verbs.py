@@ -5,8 +5,8 @@ from functools import partial
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatVectorProperty, IntProperty
 
-from ...bridge import replacing
-from ...core import patch_verbs, verbs
+from ...bridge.edit import replace_pieces
+from ...core.verbs import patch_verbs, verbs
 from . import pieces
 from .on_shapes import OnCurves, OnShapes, plain
 from .pieces import scene_tolerance_property, tolerance_property
@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
         return ['by', *(['tolerance'] if by_tolerance else ['count_u', 'count_v']), 'degree_u', 'degree_v', 'keep_tangents']
 
     def verb_with(self, ob):
-        if not replacing.is_curve_shape(ob):
+        if not replace_pieces.is_curve_shape(ob):
             return partial(patch_verbs.rebuild, (self.count_u, self.count_v), (self.degree_u, self.degree_v))
         if self.by == 'COUNT':
             return partial(verbs.rebuild, self.count_u, self.degree_u, self.ends)
@@ -66,7 +66,7 @@ class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
         return ['tolerance', 'keep_tangents']
 
     def verb_with(self, ob):
-        verb = verbs.fair if replacing.is_curve_shape(ob) else patch_verbs.fair
+        verb = verbs.fair if replace_pieces.is_curve_shape(ob) else patch_verbs.fair
         return partial(verb, self.length, self.ends)
 
 

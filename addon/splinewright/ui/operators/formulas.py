@@ -3,10 +3,12 @@
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
-from ...bridge import replacing, store
-from ...core import decimals, formulas, teaching
-from ...core.failures import FAILURES
-from .. import hand
+from ...bridge.data import store
+from ...bridge.edit import replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.formulas import formulas, teaching
+from .. import active_shape
 from . import reports
 from .pick_piece import draw_number
 
@@ -28,13 +30,13 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not replacing.is_curve_shape(context.object):
+        if not replace_pieces.is_curve_shape(context.object):
             cls.poll_message_set("Select a curve shape")
             return False
         return True
 
     def invoke(self, context, event):
-        hand.begin(self, [context.object])
+        active_shape.begin(self, [context.object])
         return self.execute(context)
 
     def draw(self, context):
@@ -44,8 +46,8 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
 
     def execute(self, context):
         ob = context.object
-        hand.forget_asked()
-        hand.note(self, 'piece', ob)
+        active_shape.forget_asked()
+        active_shape.note(self, 'piece', ob)
         try:
             curve = teaching.nurbs_of(store.read(ob.data), self.piece)
             written = formulas.text(curve, decimals.typed(self.position))
@@ -53,7 +55,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             return reports.failed(self, error, ob.name)
         text = _text_for(ob)
         text.from_string(written)
-        return reports.finished(self, reports.Said(f"{text.name} is in the Text Editor"))
+        return reports.finished(self, reports.Report(f"{text.name} is in the Text Editor"))
 
 
 def _text_for(ob):

@@ -7,10 +7,13 @@ import numpy as np
 from bpy.props import BoolProperty, StringProperty
 from mathutils import Matrix
 
-from ...bridge import derived, follow, recipes, shape, surveys
-from ...core.failures import FAILURES, Refusal
+from ...bridge.analysis import surveys
+from ...bridge.follow import follow, recipe_results
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
 from ...core.recipes.table import DERIVED, FOLLOW
-from .. import hand, recipe_props, scene_tolerance
+from .. import active_shape, recipe_props, scene_tolerance
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .long_work import LongWork
@@ -52,7 +55,7 @@ class _FromObjects(LongWork, Repeatable):
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
-            hand.begin(self, sources_of(context, self.recipe))
+            active_shape.begin(self, sources_of(context, self.recipe))
         return self.called(context) if self.recipe.takes_cancel else self.execute(context)
 
     def tasks(self, context):
@@ -64,7 +67,7 @@ class _FromObjects(LongWork, Repeatable):
 
     def _task(self, context, sources):
         space = follow.first_space(sources, context.evaluated_depsgraph_get())
-        return derived.work(self.recipe, recipe_props.typed(self.recipe, self), sources, space, self._frames(context))
+        return recipe_results.work(self.recipe, recipe_props.typed(self.recipe, self), sources, space, self._frames(context))
 
     def _arranged(self, context, sources):
         """The objects in the order in which the recipe takes them at first. Raises Refusal."""
@@ -74,16 +77,16 @@ class _FromObjects(LongWork, Repeatable):
         return [sources[i] for i in self.recipe.arranged(inputs)]
 
     def _inputs(self, context, sources):
-        return derived.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
+        return recipe_results.inputs_of(self.recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get()))
 
     def execute(self, context):
         sources, recipe = sources_of(context, self.recipe), self.recipe
         if self._lacking(sources):
             return reports.cancelled(self, self._lacking(sources))
-        hand.forget_asked()
+        active_shape.forget_asked()
         if 'piece' in recipe.defaults and shape.has_shape(sources[0]):
-            hand.note(self, 'piece', sources[0])
-        new_shapes.settle(self)
+            active_shape.note(self, 'piece', sources[0])
+        new_shapes.fill_from_preferences(self)
         self._settle(context, sources)
         values, resolution = recipe_props.typed(recipe, self), new_shapes.start(self)
         try:
@@ -102,13 +105,13 @@ class _FromObjects(LongWork, Repeatable):
                 source.hide_set(True)
         said = new_shapes.said_of([ob], recipes.error(ob.data)) if recipe.is_measured else ""
         words = "; ".join(filter(None, (said, result.said)))
-        return self.finished(context, reports.Said(words, warnings=tuple(filter(None, (result.warning,)))))
+        return self.finished(context, reports.Report(words, warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
         """Find out what is not given."""
         if self.recipe.frame and not self.properties.is_property_set('frame'):
             self.frame = _beside(context)
-        scene_tolerance.settle(self, context, self.recipe)
+        scene_tolerance.fill_from_scene(self, context, self.recipe)
         self._follow()
         if self.recipe.first_values and not (self.recipe.frame and self.frame):
             self._suggest(sources, context)
@@ -154,7 +157,7 @@ class _FromObjects(LongWork, Repeatable):
 
 def sources_of(context, recipe):
     """The selected objects that a shape can be made from: what the recipe wants first, and the active one, come first."""
-    chosen = [ob for ob in context.selected_objects if derived.can_make(recipe, ob)]
+    chosen = [ob for ob in context.selected_objects if recipe_results.can_make(recipe, ob)]
     return sorted(chosen, key=lambda ob: (not is_wanted(ob, recipe.inputs[0]), ob != context.object))
 
 
@@ -177,7 +180,7 @@ def _has_no_edge(ob):
 
 def _beside(context):
     """The name of the one selected object that no shape can be made from, or ""."""
-    others = [ob for ob in context.selected_objects if not derived.is_possible(ob)]
+    others = [ob for ob in context.selected_objects if not recipe_results.is_possible(ob)]
     return others[0].name if len(others) == 1 else ""
 
 

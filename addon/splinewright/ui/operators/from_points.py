@@ -5,9 +5,12 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import recipes, remaking, shape, strokes
-from ...core import polylines, vertex_order
-from ...core.failures import FAILURES, Refusal
+from ...bridge.edit import grease_pencil
+from ...bridge.recipes import recipes
+from ...bridge.shape import recipe_edit, shape
+from ...core.base import vertex_order
+from ...core.base.failures import FAILURES, Refusal
+from ...core.shape import polylines
 from .. import editing, progress, recipe_props
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, require_place
@@ -58,7 +61,7 @@ class CurvesFromPoints(LongWork, Repeatable):
         return {**recipe_props.typed(self.recipe, self), 'closed': self.closed or closed}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         try:
             require_place(context)
             new = self.of_objects(context) if context.mode == 'OBJECT' else self._of_vertices(context)
@@ -66,7 +69,7 @@ class CurvesFromPoints(LongWork, Repeatable):
             return reports.failed(self, error)
         for ob in new:
             add_in_front(context, ob, context.selected_objects if ob == new[0] else [])
-        return self.finished(context, reports.Said(self.said(new), warnings=self.warnings(new)))
+        return self.finished(context, reports.Report(self.said(new), warnings=self.warnings(new)))
 
     def lines_of_objects(self, context):
         """[(object or None, points in its space, whether they close)] in Object Mode. Raises Refusal."""
@@ -111,22 +114,22 @@ class CurvesFromPoints(LongWork, Repeatable):
             raise Refusal("a curve needs two points: select more")
         points = np.array(points, dtype=np.float64)
         result = self.result_of(number, self.recipe.work(points, values))
-        data = remaking.new_data(name, self.recipe, values, points, new_shapes.start(self), result, told)
+        data = recipe_edit.new_data(name, self.recipe, values, points, new_shapes.start(self), result, told)
         return bpy.data.objects.new(data.name, data)
 
 
 def are_strokes_there(context):
     """Whether lines_of_strokes() has something to look at."""
-    return any(map(strokes.is_drawn, context.selected_objects)) or strokes.has_annotations(context)
+    return any(map(grease_pencil.is_drawn, context.selected_objects)) or grease_pencil.has_annotations(context)
 
 
 def lines_of_strokes(context, needs):
     """[(object or None, points in its space, whether they close)] of the selected Grease Pencil objects, or of the annotations
     where none is selected. Raises Refusal; `needs` says what there must be."""
-    drawn = [ob for ob in context.selected_objects if strokes.is_drawn(ob)]
+    drawn = [ob for ob in context.selected_objects if grease_pencil.is_drawn(ob)]
     frame = context.scene.frame_current
-    found = ([(ob, *stroke) for ob in drawn for stroke in strokes.of_object(ob, frame)] if drawn else
-             [(None, *stroke) for stroke in strokes.of_annotations(context)])
+    found = ([(ob, *stroke) for ob in drawn for stroke in grease_pencil.of_object(ob, frame)] if drawn else
+             [(None, *stroke) for stroke in grease_pencil.of_annotations(context)])
     lines = [(source, polylines.without_repeats(points), closed) for source, points, closed in found]
     lines = [line for line in lines if len(line[1]) > 1]
     if not lines:

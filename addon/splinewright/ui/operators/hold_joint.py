@@ -4,10 +4,15 @@ import bpy
 import numpy as np
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import held, replacing, shape, store
-from ...core import decimals, held_joints, parameters, patch_joints, verbs
-from ...core.failures import Refusal
-from ...core.held import Held, applied
+from ...bridge.data import held, store
+from ...bridge.edit import replace_pieces
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import Refusal
+from ...core.joints import held_joints, patch_joints
+from ...core.joints.held import Held, applied
+from ...core.shape import parameters
+from ...core.verbs import verbs
 from .hold_seam import OnWhatHolds, number_property, released
 
 _WORDS = {'C0': "They meet", 'G1': "They share the tangent, too", 'C1': "They share the first derivative",
@@ -27,10 +32,10 @@ def _knot():
 
 
 class _OnJoint(OnWhatHolds):
-    kind, fits = "curve", staticmethod(replacing.is_curve_shape)
+    kind, fits = "curve", staticmethod(replace_pieces.is_curve_shape)
 
     def sides(self, data):
-        """As of a core.held.Held. Raises Refusal where there are none."""
+        """As of a core.joints.held.Held. Raises Refusal where there are none."""
         curves = verbs.curves_of(store.read(data))
         for number in (self.first, self.second):
             verbs.require_piece(curves, number)
@@ -59,7 +64,7 @@ class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
     knot: _knot()
 
     def work(self, ob):
-        replacing.require_changeable(ob.data)
+        replace_pieces.require_changeable(ob.data)
         definition, joint = store.read(ob.data), Held(*self.sides(ob.data), self.continuity, self.moves)
         held_joints.require_possible(definition, joint)
         after = applied(definition, held.with_one(ob.data, joint))

@@ -3,12 +3,13 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import held, joining, replacing, store
-from ...core import patch_joints
-from ...core.failures import FAILURES, Refusal
-from ...core.held import Held, are_one
-from ...core.patch_curves import SIDE_CHOICES
-from .. import editing, hand
+from ...bridge.data import held, store
+from ...bridge.edit import joining, replace_pieces
+from ...core.base.failures import FAILURES, Refusal
+from ...core.joints import patch_joints
+from ...core.joints.held import Held, are_one
+from ...core.verbs.patch_curves import SIDE_CHOICES
+from .. import active_shape, editing
 from . import reports
 from .patch_join import came_apart, continuity_property, moves_property, told
 
@@ -26,11 +27,11 @@ def _side():
 class OnWhatHolds:
     """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out anew."""
 
-    kind, fits = "patch", staticmethod(replacing.is_patch_shape)
+    kind, fits = "patch", staticmethod(replace_pieces.is_patch_shape)
 
     @classmethod
     def poll(cls, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         if ob is None or not cls.fits(ob):
             cls.poll_message_set(f"Select a {cls.kind} shape, or edit its net")
             return False
@@ -44,13 +45,13 @@ class OnWhatHolds:
         problem = editing.unread(nets)
         if problem:
             return reports.cancelled(self, problem)
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         try:
             said, warnings = self.work(ob)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         warnings = (*warnings, *(editing.anew(context, nets) if nets else ()))
-        return reports.finished(self, reports.Said(f"{ob.name}: {said}", warnings=warnings))
+        return reports.finished(self, reports.Report(f"{ob.name}: {said}", warnings=warnings))
 
     def sides(self):
         return (self.first - 1, self.first_side), (self.second - 1, self.second_side)
@@ -80,7 +81,7 @@ class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
     second_side: _side()
 
     def work(self, ob):
-        replacing.require_changeable(ob.data)
+        replace_pieces.require_changeable(ob.data)
         seam = Held(*self.sides(), self.continuity, self.moves)
         definition = store.read(ob.data)
         if max(self.first, self.second) > len(definition.pieces) or not are_one(definition, seam):

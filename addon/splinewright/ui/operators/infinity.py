@@ -2,10 +2,13 @@
 
 import bpy
 
-from ...bridge import recipes, shape, store
-from ...bridge.net import live, net_object
-from ...core import infinity
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.cage import net_object
+from ...bridge.data import store
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.shape import infinity
 from .. import editing, net_props
 from . import reports
 
@@ -43,14 +46,14 @@ class _OnSelectedPoints:
             return reports.cancelled(self, *(reports.by_name(failed) if len(nets) > 1 else failed.values()))
         for plan in plans:
             shape.carry_out(plan)
-        return reports.finished(self, reports.Said(warnings=editing.anew(context, nets)))
+        return reports.finished(self, reports.Report(warnings=editing.anew(context, nets)))
 
     def _planned(self, ob, rows):
         """The shape.Plan for the shape of a net."""
         owner = net_object.shape_of(ob)
         if owner is None:
             raise Refusal("the shape of this net was deleted, or is in no scene")
-        live.pull(ob)
+        live.sync_from_cage(ob)
         if live.problem(ob):
             raise Refusal(live.problem(ob))
         recipes.require_free(owner.data)

@@ -3,9 +3,12 @@
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import derived, follow, parameters, recipes, shape, store
-from ...core import sections
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.follow import follow, recipe_results
+from ...bridge.recipes import parameters, recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
+from ...core.surfaces import sections
 from . import polls, reports
 from .from_objects import is_wanted
 from .selected import OnFollowers
@@ -46,7 +49,7 @@ class _OnInputs:
             follow.set_inputs(data, *zip(*inputs), context.evaluated_depsgraph_get())
         except FAILURES as error:
             return reports.failed(self, error, context.object.name)
-        return reports.finished(self, reports.Said())
+        return reports.finished(self, reports.Report())
 
     def require(self, inputs):
         if self.index >= len(inputs):
@@ -104,7 +107,7 @@ class SPLINEWRIGHT_OT_add_inputs(_OnInputs, bpy.types.Operator):
         recipe = recipes.of(context.object.data)
         wanted = recipe.wanted_at(len(inputs))
         new = [ob for ob in context.selected_objects
-               if ob != context.object and ob not in known and derived.can_make(recipe, ob) and is_wanted(ob, wanted)]
+               if ob != context.object and ob not in known and recipe_results.can_make(recipe, ob) and is_wanted(ob, wanted)]
         if not new:
             raise Refusal("select others beside it that are not in the list")
         both = inputs + [(ob, False) for ob in new]
@@ -119,7 +122,7 @@ def _arranged(context, inputs):
         return []
     if None in sources:
         raise Refusal("an object it is made from was deleted: leave it out first")
-    return recipe.arranged(derived.inputs_of(recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get())))
+    return recipe.arranged(recipe_results.inputs_of(recipe, sources, follow.first_space(sources, context.evaluated_depsgraph_get())))
 
 
 class _Ordering(_OnInputs):

@@ -3,11 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import replacing, surveys
-from ...bridge.file_state import state
-from ...core import aiming
-from ...core.failures import FAILURES
-from .. import aim_overlay, editing, hand, picking
+from ...bridge.analysis import surveys
+from ...bridge.edit import replace_pieces
+from ...core.base.failures import FAILURES
+from ...core.verbs import parameter_picking
+from .. import active_shape, aim_overlay, editing, picking
+from ..ui_state import ui_state
 from . import meant, reports
 from .on_shapes import at_exactly
 from .pointing import PASSED, redraw, take_again
@@ -38,10 +39,10 @@ class ByClick:
 
     @classmethod
     def poll(cls, context):
-        shapes = hand.shapes(context)
+        shapes = active_shape.shapes(context)
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
-        elif not any(map(hand.is_free, shapes)):
+        elif not any(map(active_shape.is_free, shapes)):
             cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
         return is_possible(context)
 
@@ -72,11 +73,11 @@ class ByClick:
         self._aim(context, event)
         if event.type not in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') or event.value != 'PRESS':
             return {'RUNNING_MODAL'}
-        if not state.aimed:
+        if not ui_state.aimed:
             self._why_none = meant.why_none(context, event, self.meant(context))
             self._tell(context)
             return {'RUNNING_MODAL'}
-        aimed = state.aimed
+        aimed = ui_state.aimed
         self.cancel(context)
         return self.clicked(aimed)
 
@@ -89,13 +90,13 @@ class ByClick:
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.aimed = None
+        ui_state.aimed = None
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)
         redraw()
 
     def _is_on_patch(self):
-        return state.aimed is not None and len(state.aimed.parameters) == 2
+        return ui_state.aimed is not None and len(ui_state.aimed.parameters) == 2
 
     def told(self, context, aimed):
         """The Aim, with what a click would do."""
@@ -104,7 +105,7 @@ class ByClick:
     def _aim(self, context, event):
         """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
         aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
-        state.aimed = self.told(context, aimed) if aimed else None
+        ui_state.aimed = self.told(context, aimed) if aimed else None
         if aimed or event.type != 'LEFTMOUSE':
             self._why_none = "" if aimed else self._why_none
             self._tell(context)
@@ -118,7 +119,7 @@ class ByClick:
     def _tell(self, context):
         """In the status bar: why a click did nothing or what is worked on, and the keys."""
         first = f"{self._why_none}   |   " if self._why_none else meant.works_on(self.meant(context))
-        context.workspace.status_text_set(first + _status(state.aimed, self.thing, self.does))
+        context.workspace.status_text_set(first + _status(ui_state.aimed, self.thing, self.does))
 
 
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
@@ -151,7 +152,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.mode != 'OBJECT' or not any(map(replacing.is_patch_shape, context.selected_objects)):
+        if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
             cls.poll_message_set("Select a patch shape in Object Mode")
             return False
         return super().poll(context)
@@ -167,7 +168,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
 
 def is_possible(context):
     """Whether a shape in hand takes knots."""
-    return any(map(hand.is_free, hand.shapes(context)))
+    return any(map(active_shape.is_free, active_shape.shapes(context)))
 
 
 def aimed_at(context, x, y, direction, in_middle=False):
@@ -191,7 +192,7 @@ def aimed_by_tool(context, x, y, direction, in_middle=False, dimensions=(1, 2)):
 
 def _meant(context):
     """The shapes in hand that take knots, and are to be seen."""
-    return [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
+    return [ob for ob in active_shape.shapes(context) if active_shape.is_free(ob) and ob.visible_get()]
 
 
 def _found(context, x, y, in_middle):
@@ -200,7 +201,7 @@ def _found(context, x, y, in_middle):
     if found is None or not in_middle:
         return found
     ob, number, parameters = found
-    return ob, number, aiming.in_middle(surveys.pieces_of(ob.data)[number - 1], parameters)
+    return ob, number, parameter_picking.in_middle(surveys.pieces_of(ob.data)[number - 1], parameters)
 
 
 def _status(aimed, thing, does):

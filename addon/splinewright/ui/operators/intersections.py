@@ -4,9 +4,13 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, FloatProperty
 
-from ...bridge import derived, shape
-from ...core import decimals, meets, transform, verbs
-from ...core.failures import FAILURES, Refusal
+from ...bridge.follow import recipe_results
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.meets import meets
+from ...core.shape import transform
+from ...core.verbs import verbs
 from .. import progress, scene_tolerance
 from . import new_shapes, reports
 from .adding import Repeatable, can_add, resolution_property
@@ -30,7 +34,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
     def poll(cls, context):
         if not can_add(cls, context):
             return False
-        if cls.has_made(context) or any(map(derived.is_possible, context.selected_objects)):
+        if cls.has_made(context) or any(map(recipe_results.is_possible, context.selected_objects)):
             return True
         cls.poll_message_set("Select curves and surfaces")
         return False
@@ -40,7 +44,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
         return {'found': self._task(context)}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         scene_tolerance.settle_in_object(self, context, None)
         sources = self._sources(context)
         try:
@@ -55,11 +59,11 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
             context.collection.objects.link(ob)
             ob.select_set(True)
         context.view_layer.objects.active = new[0]
-        return self.finished(context, reports.Said(", ".join(_counted(len(rows), noun) for rows, noun in (
+        return self.finished(context, reports.Report(", ".join(_counted(len(rows), noun) for rows, noun in (
             (found.points, "point"), (found.curves, "curve")) if len(rows))))
 
     def _sources(self, context):
-        return [ob for ob in context.selected_objects if derived.is_possible(ob)]
+        return [ob for ob in context.selected_objects if recipe_results.is_possible(ob)]
 
     def _task(self, context, told=lambda done: None):
         """A function that gives the meets.Found in the world, for a `cancel` as the library takes it. Raises Refusal."""
@@ -69,8 +73,8 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
         depsgraph = context.evaluated_depsgraph_get()
         shapes = []
         for ob in sources:
-            matrix = derived.matrix_in(ob, None, depsgraph)
-            shapes.append(verbs.pieces_of(transform.transformed(derived.definition_of(ob, depsgraph), matrix)))
+            matrix = recipe_results.matrix_in(ob, None, depsgraph)
+            shapes.append(verbs.pieces_of(transform.transformed(recipe_results.definition_of(ob, depsgraph), matrix)))
         tolerance, themselves = decimals.typed(self.tolerance), self.themselves
         return lambda cancel: meets.among(shapes, tolerance, themselves, told if cancel is None else lambda done: None, cancel)
 

@@ -3,9 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import joining, shape, store, surveys
-from ...core.failures import FAILURES, Refusal
-from ...core.held import why_not
+from ...bridge.analysis import surveys
+from ...bridge.data import store
+from ...bridge.edit import joining
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal
+from ...core.joints.held import why_not
 from .. import texts
 from . import polls, reports
 
@@ -58,14 +61,14 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
             if all(map(shape.has_shape, chosen)):
                 others = [ob.name for ob in chosen if ob != active]
                 joining.join(active, [ob for ob in chosen if ob != active])
-                return reports.finished(self, reports.Said(f"Joined {reports.listed(others)} into {active.name}", notes=_seams(active.data)))
+                return reports.finished(self, reports.Report(f"Joined {reports.listed(others)} into {active.name}", notes=_seams(active.data)))
             elif not self.end_definitions:
                 raise Refusal(f"{joining.ending_in_words(chosen)}. Nothing was joined: set End the Definitions for that")
             else:
-                return reports.finished(self, reports.Said(joining.join_plainly(active, chosen)))
+                return reports.finished(self, reports.Report(joining.join_plainly(active, chosen)))
         except FAILURES as error:
             return reports.failed(self, error)
-        return reports.finished(self, reports.Said())
+        return reports.finished(self, reports.Report())
 
 
 def _seams(data):

@@ -3,10 +3,11 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import point_keying, point_keys, store
-from ...bridge.net import live, selection
-from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand
+from ...bridge.data import store
+from ...bridge.keys import point_keys
+from ...bridge.net import live, point_keying, selection
+from ...core.base.failures import FAILURES, Refusal, sentence
+from .. import active_shape, editing
 from . import reports
 
 
@@ -21,7 +22,7 @@ class _OnPoints:
 
     @classmethod
     def poll(cls, context):
-        shapes = hand.shapes(context)
+        shapes = active_shape.shapes(context)
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
         elif not any(map(cls.fits, shapes)):
@@ -48,12 +49,12 @@ class _OnPoints:
             editing.want_whole_step()
         count = sum(done.values())
         points = "1 point" if count == 1 else f"{count} points"
-        return reports.finished(self, reports.Said(self.done.format(points, f"{frame:g}"), warnings=reasons))
+        return reports.finished(self, reports.Report(self.done.format(points, f"{frame:g}"), warnings=reasons))
 
     def _rows(self, data, net):
         if net is None:
             return None
-        live.pull(net)
+        live.sync_from_cage(net)
         if live.problem(net):
             raise Refusal(live.problem(net))
         session = live.session(net.data)
@@ -68,7 +69,7 @@ class _OnPoints:
 def _in_hand(context):
     """[(shape, its net in Edit Mode or None)], one for each data-block."""
     nets = editing.nets_in_edit_mode(context)
-    found = [(hand.shape_of(net), net) for net in nets] if nets else [(owner, None) for owner in hand.shapes(context)]
+    found = [(active_shape.shape_of(net), net) for net in nets] if nets else [(owner, None) for owner in active_shape.shapes(context)]
     return list({owner.data: (owner, net) for owner, net in found if owner is not None}.values())
 
 
@@ -85,7 +86,7 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
                         "directions", default=True)
     weight: BoolProperty(name="Weight", description="Set keys of the weights, of points that have one", default=True)
 
-    fits = staticmethod(hand.is_free)
+    fits = staticmethod(active_shape.is_free)
 
     def work(self, data, rows, frame):
         if not self.place and not self.weight:
@@ -108,7 +109,7 @@ class SPLINEWRIGHT_OT_clear_point_keys(_OnPoints, bpy.types.Operator):
 
     @staticmethod
     def fits(ob):
-        return hand.is_free(ob) and point_keys.has(ob.data)
+        return active_shape.is_free(ob) and point_keys.has(ob.data)
 
     def work(self, data, rows, frame):
         return point_keying.clear(data, rows, frame if self.when == 'FRAME' else None)

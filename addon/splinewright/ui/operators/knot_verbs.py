@@ -3,11 +3,12 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ...bridge import settings
-from ...core import parameters, patch_verbs, verbs
-from ...core.failures import Refusal
+from ...bridge.data import settings
+from ...core.base.failures import Refusal
+from ...core.shape import parameters
+from ...core.verbs import patch_verbs, verbs
 from . import pieces
-from .on_shapes import AlongShapes, AtShapeParameters, OnPatches, WithinTolerance, WithNeighbors, along
+from .on_shapes import AlongShapes, AtShapeParameters, OnPatches, WithNeighbors, WithinTolerance, along
 from .pieces import scene_tolerance_property, times_property, tolerance_property
 
 

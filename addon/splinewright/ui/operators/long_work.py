@@ -5,7 +5,7 @@ import time
 
 import bpy
 
-from ...core.failures import FAILURES
+from ...core.base.failures import FAILURES
 from . import reports
 
 #: Seconds that a call waits for the work before it is shown to take long, and between two looks whether it is done.

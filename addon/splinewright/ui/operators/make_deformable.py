@@ -2,10 +2,14 @@
 
 import bpy
 
-from ...bridge import keyed, recipes, replacing, shape
-from ...core import decimals, deforming
-from ...core.failures import Refusal
-from .. import hand
+from ...bridge.edit import replace_pieces
+from ...bridge.net import keyed
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import Refusal
+from ...core.deform import deforming
+from .. import active_shape
 from . import reports
 from .pieces import UpToTolerance, scene_tolerance_property
 
@@ -29,10 +33,10 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
                 raise Refusal("it is deformable already")
             keyed.set_parameters(ob.data, {**changes, 'tolerance': self.tolerance})
             return recipes.error(ob.data), 0
-        before = replacing.read(ob.data)
+        before = replace_pieces.read(ob.data)
         found = deforming.deformed(before, self.tolerance)
-        replacing.put(ob.data, before, found.changed)
-        hand.keep(ob.data, found.changed.parents)
+        replace_pieces.put(ob.data, before, found.changed)
+        active_shape.keep(ob.data, found.changed.parents)
         return found.changed.error, found.rational
 
     def said(self, outcomes):
@@ -41,7 +45,7 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
         more = [f"within {decimals.text_of(error, 2)} of the exact one"]
         if rational:
             more.append(f"{rational} piece{'s' if rational > 1 else ''} keep{'' if rational > 1 else 's'} weights along the profile")
-        return reports.Said(f"{self.summary(outcomes)}: {', '.join(more)}")
+        return reports.Report(f"{self.summary(outcomes)}: {', '.join(more)}")
 
 def _of_recipe(data):
     """The parameters, by name, that make what a recipe makes deformable; none where it has none."""

@@ -1,8 +1,10 @@
 """Tools that are clicked say which shapes they work on, and why one at the mouse is none of them."""
 
-from ...bridge import recipes, shape, store
-from ...core.failures import FAILURES
-from .. import hand, picking
+from ...bridge.data import store
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES
+from .. import active_shape, picking
 from .reports import listed
 
 
@@ -44,4 +46,4 @@ def _bound(ob):
             return "is made by a recipe: use Apply Construction first"
     except store.UnreadableDefinition:
         return "cannot be read"
-    return "is not meant now" if hand.is_free(ob) else "cannot be changed"
+    return "is not meant now" if active_shape.is_free(ob) else "cannot be changed"

@@ -3,11 +3,12 @@
 import bpy
 import numpy as np
 
-from ...bridge import shape, surveys
-from ...bridge.file_state import state
-from ...core import measured
-from ...core.failures import FAILURES, sentence
-from .. import editing, hand, measure_overlay, picking
+from ...bridge.analysis import surveys
+from ...bridge.shape import shape
+from ...core.analysis import measured
+from ...core.base.failures import FAILURES, sentence
+from .. import active_shape, editing, measure_overlay, picking
+from ..ui_state import ui_state
 from .pointing import Pointing, redraw
 
 
@@ -32,12 +33,12 @@ class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
         return self.begin(context, event)
 
     def look(self, context, event):
-        self._found, state.measured = measured_at(context, event.mouse_x, event.mouse_y)
+        self._found, ui_state.measured = measured_at(context, event.mouse_x, event.mouse_y)
         redraw()
         return self._found is not None
 
     def forget(self):
-        state.measured = None
+        ui_state.measured = None
 
     def clicked(self, context):
         name, number, fractions = self._found
@@ -52,18 +53,18 @@ class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
 
 def take(context, ob, number, fractions):
     """Let the panel Measure show a shape at parts (u, v) of the domain of a piece."""
-    nets = {hand.shape_of(net): net for net in editing.nets_in_edit_mode(context)}
+    nets = {active_shape.shape_of(net): net for net in editing.nets_in_edit_mode(context)}
     context.view_layer.objects.active = nets.get(ob, ob)
     settings = ob.data.splinewright
-    if hand.count_of(ob.data) > 1:
-        hand.take(ob.data, number)
+    if active_shape.count_of(ob.data) > 1:
+        active_shape.take(ob.data, number)
     settings.measure_u, settings.measure_v = fractions
 
 
 def _shapes(context):
     """The shapes in hand, and the active one."""
-    active = hand.shape_of(context.object) if context.mode == 'OBJECT' else None
-    return list({ob.name: ob for ob in (*hand.shapes(context), active) if ob}.values())
+    active = active_shape.shape_of(context.object) if context.mode == 'OBJECT' else None
+    return list({ob.name: ob for ob in (*active_shape.shapes(context), active) if ob}.values())
 
 
 def measured_at(context, x, y):

@@ -3,10 +3,10 @@
 import bpy
 import numpy as np
 
-from ...bridge import surveys
-from ...core import measured
-from ...core.failures import FAILURES
-from .. import hand
+from ...bridge.analysis import surveys
+from ...core.analysis import measured
+from ...core.base.failures import FAILURES
+from .. import active_shape
 from . import reports
 from .long_work import LongWork
 from .pointing import redraw
@@ -20,7 +20,7 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if hand.shape_of(context.object) is None:
+        if active_shape.shape_of(context.object) is None:
             cls.poll_message_set("Make a Splinewright shape active")
             return False
         return True
@@ -30,7 +30,7 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
         return {'whole': lambda cancel: measured.whole(there, cancel)}
 
     def execute(self, context):
-        ob = hand.shape_of(context.object)
+        ob = active_shape.shape_of(context.object)
         try:
             whole = self.result_of('whole', self.tasks(context)['whole'])
             surveys.keep_whole(*_data_and_matrix(context), whole)
@@ -41,7 +41,7 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
 
 
 def _data_and_matrix(context):
-    ob = hand.shape_of(context.object)
+    ob = active_shape.shape_of(context.object)
     return ob.data, np.array(ob.matrix_world, dtype=np.float64)
 
 

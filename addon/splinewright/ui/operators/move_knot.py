@@ -5,12 +5,13 @@ from contextlib import suppress
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ...bridge import moving_knots
-from ...bridge.file_state import state
-from ...core import decimals, knot_strip, typed_number
-from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand
+from ...bridge.edit import moving_knots
+from ...core.base import decimals, typed_number
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.verbs import knot_strip
 from .. import knot_strip as strip
+from .. import active_shape, editing
+from ..ui_state import ui_state
 from . import reports
 from .pick_piece import draw_number
 from .pointing import PASSED, Typing, redraw
@@ -44,7 +45,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not hand.shapes(context):    # of those that are not to be changed the refusal tells
+        if not active_shape.shapes(context):    # of those that are not to be changed the refusal tells
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
             return False
         return True
@@ -56,18 +57,18 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         problem = editing.unread(nets)
         if problem:
             return reports.cancelled(self, problem)
-        owner = hand.shape_of(context.object)
+        owner = active_shape.shape_of(context.object)
         if owner is None:
             return reports.cancelled(self, "the active object is not a shape")
-        hand.forget_asked()
-        hand.note(self, 'piece', owner)
+        active_shape.forget_asked()
+        active_shape.note(self, 'piece', owner)
         to = decimals.meant(self.parameter, self.exact)
         try:
             held = self._held(owner.data)
             held.show(to)
         except FAILURES as error:
             return reports.failed(self, error, owner.name)
-        return reports.finished(self, reports.Said(f"Knot {self.knot} of {owner.name} at {to:.6g}",
+        return reports.finished(self, reports.Report(f"Knot {self.knot} of {owner.name} at {to:.6g}",
                                                    warnings=(*filter(None, [held.lost]),
                                                              *(editing.anew(context, nets) if nets else ()))))
 
@@ -76,10 +77,10 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         column.use_property_split, column.use_property_decorate = True, False
         column.prop(self, 'parameter')
         column.prop(self, 'knot')
-        owner = hand.shape_of(context.object)
+        owner = active_shape.shape_of(context.object)
         if owner is not None and owner.type == 'MESH':
             column.row().prop(self, 'axis', expand=True)
-        if owner is not None and hand.count_of(owner.data) > 1:
+        if owner is not None and active_shape.count_of(owner.data) > 1:
             draw_number(column, self, 'piece')
 
     def _held(self, data):
@@ -133,7 +134,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             self._refused = reports.named(self._shown.ob.name, sentence(error))
             self._area.header_text_set(self._refused)
             return
-        state.moved_knot = strip.Moved(self._data.name, 'UV'.index(self.axis), self._mark, self._shown.spans)
+        ui_state.moved_knot = strip.Moved(self._data.name, 'UV'.index(self.axis), self._mark, self._shown.spans)
 
     def _is_over(self, event):
         if event.type == 'LEFTMOUSE':   # who types lets the button go
@@ -181,7 +182,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.moved_knot = None
+        ui_state.moved_knot = None
         with suppress(ReferenceError):      # its area or data may be gone
             if self._drag is not None:
                 self._drag.put_back()

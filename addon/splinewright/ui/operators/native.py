@@ -2,8 +2,9 @@
 
 import bpy
 
-from ...bridge import shape, store
+from ...bridge.data import store
 from ...bridge.native import make_exact, to_native
+from ...bridge.shape import shape
 from . import reports
 from .selected import OnSelected
 
@@ -21,7 +22,7 @@ class _Conversion(OnSelected):
         notes = {name: "; ".join(notes) for name, (_, notes) in outcomes.items() if notes}
         dropped = {name: f"without {', '.join(outcome.dropped)}" for name, (outcome, _) in outcomes.items()
                    if outcome.dropped}
-        return reports.Said(self.summary(outcomes) + distance, reports.by_name(notes), reports.by_name(dropped))
+        return reports.Report(self.summary(outcomes) + distance, reports.by_name(notes), reports.by_name(dropped))
 
 
 class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):

@@ -3,8 +3,8 @@
 import numpy as np
 from mathutils import Matrix
 
-from ...bridge import settings, store
-from ...core import decimals
+from ...bridge.data import settings, store
+from ...core.base import decimals
 from .. import preferences
 from . import pieces
 
@@ -20,7 +20,7 @@ class Faces:
     faces_angle: settings.angle_property()
 
 
-def settle(operator):
+def fill_from_preferences(operator):
     """Take from the preferences what an operator was not given. What Blender remembers of its last call is not given."""
     names = [name for name in (*_RESOLUTIONS, *_FACES) if hasattr(operator, name)]
     given = {name for name in names if operator.properties.is_property_set(name)}

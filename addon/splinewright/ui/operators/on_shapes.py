@@ -2,14 +2,15 @@
 of them or along both, one after the other.
 """
 
-from functools import partial
-
 import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 
-from ...bridge import replacing, shape
-from ...core import decimals, parameters, patch_verbs, verbs
-from .. import hand
+from ...bridge.edit import replace_pieces
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.shape import parameters
+from ...core.verbs import patch_verbs, verbs
+from .. import active_shape
 from . import pieces
 from .pieces import parameter_property
 from .selected import OnSelected
@@ -25,14 +26,14 @@ class OnCurves(pieces.OnPieces):
     """Does verb() with pieces of every selected curve shape."""
 
     needs = "Select a curve shape"
-    fits = staticmethod(replacing.is_curve_shape)
+    fits = staticmethod(replace_pieces.is_curve_shape)
 
 
 class OnPatches(pieces.OnPieces):
     """Does verb() with pieces of every selected patch shape."""
 
     needs, expanded = "Select a patch shape", ('direction',)
-    fits = staticmethod(replacing.is_patch_shape)
+    fits = staticmethod(replace_pieces.is_patch_shape)
 
 
 class OnShapes(pieces.OnPieces):
@@ -46,15 +47,15 @@ class OnShapes(pieces.OnPieces):
     on_curves_called = {'parameter_u': "Parameter", 'count_u': "Points", 'degree_u': "Degree"}
 
     def verb_on(self, is_curve):
-        """The verb of core.verbs for curves, or for whole patches."""
+        """The verb of core.verbs.verbs for curves, or for whole patches."""
         raise NotImplementedError
 
     def verb_of(self, ob):
-        return self.verb_on(replacing.is_curve_shape(ob))
+        return self.verb_on(replace_pieces.is_curve_shape(ob))
 
     def kinds(self):
         """Which kinds of shapes are selected: whether they are curves."""
-        return set(map(replacing.is_curve_shape, self.chosen(bpy.context)))
+        return set(map(replace_pieces.is_curve_shape, self.chosen(bpy.context)))
 
     def settings(self):
         kinds = self.kinds()
@@ -81,7 +82,7 @@ class AlongShapes(OnShapes):
         return _AXES[self.direction]
 
     def verb_along(self, axis, carry, spent):
-        """The verb of core.verbs for an axis, of which `spent` is the error made along the one before.
+        """The verb of core.verbs.verbs for an axis, of which `spent` is the error made along the one before.
 
         carry: takes parameters along an axis of the piece to those of the one that it is done with.
         """
@@ -108,9 +109,9 @@ class WithNeighbors(AlongShapes):
         return [*super().all_settings(), 'neighbors']
 
     def work(self, context, ob):
-        if replacing.is_curve_shape(ob) or not self.piece or not self.neighbors or hand.count_of(ob.data) < 2:
+        if replace_pieces.is_curve_shape(ob) or not self.piece or not self.neighbors or active_shape.count_of(ob.data) < 2:
             return super().work(context, ob)
-        outcome = replacing.do_each(ob.data, self._verbs, self.already)
+        outcome = replace_pieces.do_each(ob.data, self._verbs, self.already)
         self._note(ob, outcome[1])
         return outcome
 
@@ -178,5 +179,5 @@ def plain(base, name, label, description, done, already, options=OnSelected.bl_o
 
 
 def along(name, *words, verb):
-    """plain() of a verb of core.verbs along each chosen direction."""
+    """plain() of a verb of core.verbs.verbs along each chosen direction."""
     return plain(AlongShapes, name, *words, options=AlongShapes.bl_options, verb_along=lambda self, axis, carry, spent: verb())

@@ -3,10 +3,11 @@
 import bpy
 from bpy.props import IntProperty
 
-from ...bridge import parting, shape
-from ...bridge.net import net_object
-from ...core.failures import Refusal
-from .. import editing, hand
+from ...bridge.cage import net_object
+from ...bridge.edit import parting
+from ...bridge.shape import shape
+from ...core.base.failures import Refusal
+from .. import active_shape, editing
 from . import pieces, reports
 from .selected import OnSelected
 
@@ -30,11 +31,11 @@ class _OnChosen(pieces.OnPieces):
         """Of the pieces, counted from 0. Raises Refusal."""
         net = next((net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob), None)
         if net is not None:
-            whole, touched = hand.whole_pieces(net), hand.pieces_of_points(net)
+            whole, touched = active_shape.whole_pieces(net), active_shape.pieces_of_points(net)
             if not whole and len(touched) != 1:
                 raise Refusal("select a point that no other piece has, or all points of some pieces")
             return whole or touched
-        count = hand.count_of(ob.data)
+        count = active_shape.count_of(ob.data)
         if self.piece > count:
             raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {self.piece}")
         return [self.piece - 1]
@@ -74,7 +75,7 @@ class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
         return _separated(ob, [self.numbers(context, ob)])
 
     def said(self, outcomes):
-        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+        return reports.Report(f"{self.summary(outcomes)}: {_counted(outcomes)}")
 
 
 class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
@@ -82,14 +83,14 @@ class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
     bl_label = "Explode"
     bl_description = "Separate every curve or patch of a shape into a new shape; materials, attributes and modifiers are kept"
     needs = "Select a shape of several pieces"
-    fits = staticmethod(lambda ob: shape.has_shape(ob) and hand.count_of(ob.data) > 1)
+    fits = staticmethod(lambda ob: shape.has_shape(ob) and active_shape.count_of(ob.data) > 1)
     done = "Exploded {}"
 
     def work(self, context, ob):
-        return _separated(ob, [[number] for number in range(hand.count_of(ob.data))])
+        return _separated(ob, [[number] for number in range(active_shape.count_of(ob.data))])
 
     def said(self, outcomes):
-        return reports.Said(f"{self.summary(outcomes)}: {_counted(outcomes)}")
+        return reports.Report(f"{self.summary(outcomes)}: {_counted(outcomes)}")
 
 
 CLASSES = (SPLINEWRIGHT_OT_delete_pieces, SPLINEWRIGHT_OT_separate_pieces, SPLINEWRIGHT_OT_explode)

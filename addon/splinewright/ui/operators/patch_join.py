@@ -5,11 +5,12 @@ import math
 import bpy
 from bpy.props import EnumProperty, IntProperty
 
-from ...bridge import joining, replacing
-from ...core import decimals, patch_joints, seams
-from ...core.failures import FAILURES
-from ...core.patch_curves import SIDE_CHOICES, SIDES
-from .. import hand
+from ...bridge.edit import joining, replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.joints import patch_joints, seams
+from ...core.verbs.patch_curves import SIDES, SIDE_CHOICES
+from .. import active_shape
 from . import polls, reports
 from .pick_piece import draw_number
 
@@ -57,24 +58,24 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replacing.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
 
     def invoke(self, context, event):
-        hand.begin_pair(self, context)
+        active_shape.begin_pair(self, context)
         return self.execute(context)
 
     def execute(self, context):
         ob = context.object
         other = next((other for other in context.selected_objects if other != ob), None)
-        parted = hand.count_of(ob.data) if other else None
+        parted = active_shape.count_of(ob.data) if other else None
         named = _named_of_two(ob, other) if other else _named
         try:
             found = joining.join_patches(ob, other, self._choice('first'), self._choice('second'), self.continuity,
                                          self.moves)
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        hand.note_pair(self, ob, found.changed.parents, parted)
-        return reports.finished(self, reports.Said(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
+        active_shape.note_pair(self, ob, found.changed.parents, parted)
+        return reports.finished(self, reports.Report(f"{ob.name}: {told(found, named)}", warnings=came_apart(found, named)))
 
     def _choice(self, which):
         side = getattr(self, f"{which}_side")
@@ -97,7 +98,7 @@ def _named(number):
 
 def _named_of_two(ob, other):
     """(number of a patch of both, counted from 1) -> what it is called: by its object, while there are two."""
-    owners = [(owner.name, number, count) for owner, count in ((one, hand.count_of(one.data)) for one in (ob, other))
+    owners = [(owner.name, number, count) for owner, count in ((one, active_shape.count_of(one.data)) for one in (ob, other))
               for number in range(1, count + 1)]
 
     def named(number):
@@ -107,7 +108,7 @@ def _named_of_two(ob, other):
 
 
 def told(found, named=_named):
-    """A core.patch_joints.Joined in words. named: (number) -> what a patch is called."""
+    """A core.joints.patch_joints.Joined in words. named: (number) -> what a patch is called."""
     sides = " and ".join(f"{SIDES[side]} of {named(number)}" for number, side, _ in (found.first, found.second))
     moved = [f"{named(number)} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
              if error > 1e-12]
@@ -118,7 +119,7 @@ def told(found, named=_named):
 
 
 def came_apart(found, named=_named):
-    """What a core.patch_joints.Joined has taken apart, as warnings."""
+    """What a core.joints.patch_joints.Joined has taken apart, as warnings."""
     pairs = ", ".join(f"{named(first)} and {named(second)}" for first, second in found.came_apart)
     return (f"open now between {pairs}: they have other knots or degrees there",) if pairs else ()
 

@@ -3,9 +3,9 @@
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import shape
-from ...bridge.file_state import state
-from .. import hand, picking
+from ...bridge.shape import shape
+from .. import active_shape, picking
+from ..ui_state import ui_state
 from . import polls, reports
 from .pointing import Pointing, redraw
 
@@ -14,7 +14,7 @@ def draw_number(layout, operator, setting):
     """A setting of an operator that is the number of a piece, with a button to pick it in the view."""
     row = layout.row(align=True)
     row.prop(operator, setting)
-    shapes = state.asked.get((type(operator).__name__, setting), {})
+    shapes = ui_state.asked.get((type(operator).__name__, setting), {})
     if any(len(numbers) > 1 for numbers in shapes.values()):
         row.operator("splinewright.pick_for_operator", text="", icon='EYEDROPPER').setting = setting
 
@@ -33,32 +33,32 @@ class _Picks(Pointing):
         raise NotImplementedError
 
     def invoke(self, context, event):
-        state.picking = {name: numbers for name, numbers in self.candidates(context).items()
+        ui_state.picking = {name: numbers for name, numbers in self.candidates(context).items()
                          if (ob := context.view_layer.objects.get(name)) and ob.visible_get()}
-        if not state.picking:
+        if not ui_state.picking:
             return reports.cancelled(self, "no shape whose pieces could be picked is to be seen")
         return self.begin(context, event)
 
     def forget(self):
-        state.picking, state.hovered = {}, ()
+        ui_state.picking, ui_state.hovered = {}, ()
 
     def clicked(self, context):
-        name, number = state.hovered
-        number, ob = state.picking[name][number - 1], context.view_layer.objects.get(name)
+        name, number = ui_state.hovered
+        number, ob = ui_state.picking[name][number - 1], context.view_layer.objects.get(name)
         self.cancel(context)
         return self.picked(context, ob, number)
 
     def look(self, context, event):
         view = picking.view_at(event.mouse_x, event.mouse_y)
-        obs = [ob for ob in map(context.view_layer.objects.get, state.picking) if shape.has_shape(ob)]
+        obs = [ob for ob in map(context.view_layer.objects.get, ui_state.picking) if shape.has_shape(ob)]
         found = None
         if view:
             region, view = view
             pixel = event.mouse_x - region.x, event.mouse_y - region.y
             found = picking.piece_at(region, view, pixel, obs, context.evaluated_depsgraph_get())
-        hovered = (found[0].name, found[1]) if found and state.picking[found[0].name][found[1] - 1] else ()
-        if hovered != state.hovered:
-            state.hovered = hovered
+        hovered = (found[0].name, found[1]) if found and ui_state.picking[found[0].name][found[1] - 1] else ()
+        if hovered != ui_state.hovered:
+            ui_state.hovered = hovered
             redraw()
         return bool(hovered)
 
@@ -86,11 +86,11 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
 
     def candidates(self, context):
         obs = [context.object, *context.selected_objects]
-        return {ob.name: hand.counted(ob.data) for ob in obs if shape.has_shape(ob) and not ob.data.library}
+        return {ob.name: active_shape.counted(ob.data) for ob in obs if shape.has_shape(ob) and not ob.data.library}
 
     def picked(self, context, ob, number):
-        hand.take(ob.data, number, self.other)
-        return reports.finished(self, reports.Said(f"Piece {number} of {ob.name} is active"))
+        active_shape.take(ob.data, number, self.other)
+        return reports.finished(self, reports.Report(f"Piece {number} of {ob.name} is active"))
 
 
 class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):
@@ -107,7 +107,7 @@ class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):
         return context.mode == 'OBJECT' and operator is not None and operator.bl_idname.startswith("SPLINEWRIGHT_OT_")
 
     def candidates(self, context):
-        return hand.asked(context.active_operator).get(self.setting, {})
+        return active_shape.asked(context.active_operator).get(self.setting, {})
 
     def picked(self, context, ob, number):
         """As if the number was typed: the last operator is undone and done again with it."""

@@ -1,18 +1,20 @@
 """What the verbs of curve shapes and of patch shapes have in common as operators, in Object Mode and while nets are edited.
 
 A number in the redo panel is float32. It stands for the shortest decimal that it is, and for a knot that is the same
-number as float32: core.parameters.snapped().
+number as float32: core.shape.parameters.snapped().
 """
 
-import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, StringProperty
 
-from ...bridge import held, replacing, store
-from ...bridge.net import net_object
-from ...core import decimals, seams, verbs
-from ...core.failures import FAILURES
-from .. import editing, hand, scene_tolerance
+from ...bridge.cage import net_object
+from ...bridge.data import held, store
+from ...bridge.edit import replace_pieces
+from ...core.base import decimals
+from ...core.base.failures import FAILURES
+from ...core.joints import seams
+from ...core.verbs import verbs
+from .. import active_shape, editing, scene_tolerance
 from . import reports
 from .long_work import LongWork
 from .pick_piece import draw_number
@@ -45,7 +47,7 @@ class UpToTolerance(OnSelected):
     has_settings = True
 
     def can_work(self, ob):
-        return replacing.can_change(ob.data)
+        return replace_pieces.can_change(ob.data)
 
     def execute(self, context):
         scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
@@ -75,7 +77,7 @@ class OnPieces(OnSelected):
     only: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
 
     def verb(self):
-        """A verb of core.verbs."""
+        """A verb of core.verbs.verbs."""
         raise NotImplementedError
 
     @classmethod
@@ -114,10 +116,10 @@ class OnPieces(OnSelected):
         return bool(self.settings())
 
     def can_work(self, ob):
-        return replacing.can_change(ob.data)
+        return replace_pieces.can_change(ob.data)
 
     def invoke(self, context, event):
-        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
+        active_shape.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
         return super().invoke(context, event)
 
     def execute(self, context):
@@ -126,9 +128,9 @@ class OnPieces(OnSelected):
             return reports.cancelled(self, problem)
         if self.only and not self.chosen(context):
             return reports.cancelled(self, f"{self.only} is not selected, or of another kind")
-        hand.forget_asked()
+        active_shape.forget_asked()
         for ob in self.chosen(context):
-            hand.note(self, 'piece', ob)
+            active_shape.note(self, 'piece', ob)
         if self.has_scene_tolerance:
             scene_tolerance.settle_in_object(self, context, self.chosen(context)[-1])
         self._holding = self._count_holding(context)
@@ -146,13 +148,13 @@ class OnPieces(OnSelected):
 
     def do(self, ob, verb):
         """Do a verb with the piece of a shape, or with all; the definition before and the verbs.Changed."""
-        outcome = replacing.do(ob.data, self.piece, verb, self.already)
+        outcome = replace_pieces.do(ob.data, self.piece, verb, self.already)
         self._note(ob, outcome[1])
         return outcome
 
     def _note(self, ob, changed):
-        hand.keep(ob.data, changed.parents)
-        hand.note(self, 'piece', ob, [parent + 1 for parent in changed.parents])
+        active_shape.keep(ob.data, changed.parents)
+        active_shape.note(self, 'piece', ob, [parent + 1 for parent in changed.parents])
 
     def after(self, context):
         """Nets that are edited come out again, of the shapes as they are now."""
@@ -164,7 +166,7 @@ class OnPieces(OnSelected):
         return (*warnings, f"{words} no more") if released > 0 else warnings
 
     def said(self, outcomes):
-        return reports.Said(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
+        return reports.Report(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
 
     def draw(self, context):
         self.layout.use_property_split = True
@@ -196,16 +198,16 @@ class LongOnPieces(LongWork, OnPieces):
         return OnPieces.invoke(self, context, event)
 
     def tasks(self, context):
-        return {ob.name: self._task(ob, replacing.read(ob.data)) for ob in self.chosen(context) if replacing.can_change(ob.data)}
+        return {ob.name: self._task(ob, replace_pieces.read(ob.data)) for ob in self.chosen(context) if replace_pieces.can_change(ob.data)}
 
     def _task(self, ob, before):
         verb_with, number, already = self.verb_with(ob), self.piece, self.already
         return lambda cancel: verbs.changed(before, number, verb_with(cancel), already)
 
     def work(self, context, ob):
-        before = replacing.read(ob.data)
+        before = replace_pieces.read(ob.data)
         changed = self.result_of(ob.name, self._task(ob, before))
-        replacing.put(ob.data, before, changed)
+        replace_pieces.put(ob.data, before, changed)
         self._note(ob, changed)
         return before, changed
 
@@ -255,7 +257,7 @@ class FromActive:
     def invoke(self, context, event):
         """With one piece, where no value fits all."""
         is_given = self.properties.is_property_set
-        hand.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
+        active_shape.begin(self, self.chosen(context), editing.nets_in_edit_mode(context))
         try:
             found = verbs.pieces_of(store.read(self._a_shape(context).data))
             if self.piece == 0 and not is_given('piece') and len({piece.domain for piece in found}) > 1:
@@ -306,5 +308,5 @@ class Reparameterizes:
         return ['how', 'start', 'end'] if self.how == 'AFFINE' else ['how', 'rho']
 
     def change(self):
-        """The verb of core.verbs."""
+        """The verb of core.verbs.verbs."""
         return verbs.set_domain(self.start, self.end) if self.how == 'AFFINE' else verbs.moebius(self.rho)

@@ -2,9 +2,9 @@
 
 from bpy.props import BoolProperty
 
-from ...bridge.file_state import state
-from ...core import typed_number
+from ...core.base import typed_number
 from .. import picking
+from ..ui_state import ui_state
 from . import meant
 
 #: What goes on meanwhile: the view may be turned.
@@ -19,7 +19,7 @@ def redraw():
 
 
 class Typing:
-    """A number may be typed while the mouse leads: `_typed`, a core.typed_number.Typed."""
+    """A number may be typed while the mouse leads: `_typed`, a core.base.typed_number.Typed."""
 
     def takes(self, event):
         """Whether a key is part of a number."""
@@ -78,7 +78,7 @@ class Pointing:
             if ended != {'RUNNING_MODAL'}:
                 return ended
         context.window_manager.modal_handler_add(self)
-        state.is_pointing = True
+        ui_state.is_pointing = True
         context.window.cursor_modal_set('EYEDROPPER')
         self.tell(context)
         self.look(context, event)
@@ -108,7 +108,7 @@ class Pointing:
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.is_pointing = False
+        ui_state.is_pointing = False
         self.forget()
         context.window.cursor_modal_restore()
         context.workspace.status_text_set(None)

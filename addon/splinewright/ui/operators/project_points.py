@@ -4,9 +4,12 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty
 
-from ...bridge import shape, store
-from ...core import decimals, measured, projecting
-from ...core.failures import FAILURES, Refusal
+from ...bridge.data import store
+from ...bridge.shape import shape
+from ...core.analysis import measured
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.meets import projecting
 from .. import progress
 from . import reports
 from .adding import Repeatable, can_add
@@ -49,7 +52,7 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
                 ob.select_set(True)
             context.view_layer.objects.active = new[0]
         words = [decimals.text_of(number, 4) for number in (distances.max(), distances.mean())]
-        return self.finished(context, reports.Said(
+        return self.finished(context, reports.Report(
             f"{len(distances)} points, largest distance {words[0]}, mean {words[1]}"))
 
     def _chosen(self, context):

@@ -10,15 +10,20 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProp
 from bpy_extras import view3d_utils
 from mathutils import Vector
 
-from ...bridge import pulling, recipes, shape, store
-from ...bridge.file_state import state
-from ...bridge.net import net_object
-from ...core import decimals, parameters, patch_verbs, verbs
-from ...core import pulling as pulls
-from ...core.failures import FAILURES, Refusal, sentence
-from .. import editing, hand, picking, seeing, snapping
+from ...bridge.cage import net_object
+from ...bridge.data import store
+from ...bridge.net import pulling
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.deform import pulling as pulls
+from ...core.shape import parameters
+from ...core.verbs import patch_verbs, verbs
+from .. import active_shape, editing, picking, seeing, snapping
 from ..pull_keys import Keys
 from ..pull_overlay import Pull
+from ..ui_state import ui_state
 from . import reports
 from .pointing import PASSED, redraw
 
@@ -67,12 +72,12 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        shapes = hand.shapes(context)
+        shapes = active_shape.shapes(context)
         if not shapes:
             cls.poll_message_set("Select a Splinewright shape, or edit its net")
-        elif not any(map(hand.is_free, shapes)):
+        elif not any(map(active_shape.is_free, shapes)):
             cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
-        return any(map(hand.is_free, shapes))
+        return any(map(active_shape.is_free, shapes))
 
     # From here on: with numbers.
 
@@ -85,7 +90,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Said(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
+        return reports.finished(self, reports.Report(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
                                                       warnings=tuple(filter(None, [held.lost]))))
 
     def draw(self, context):
@@ -100,7 +105,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             column.prop(self, 'locality')
             if of_curve:
                 column.prop(self, 'keep_tangent')
-        if ob and hand.count_of(ob.data) > 1:
+        if ob and active_shape.count_of(ob.data) > 1:
             column.prop(self, 'piece')
         column.prop(self, 'parameter_u')
         if ob and ob.type == 'MESH':
@@ -108,9 +113,9 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     def _owner(self, context):
         """The shape in hand that was pulled; the active one where none was."""
-        shapes = [ob for ob in hand.shapes(context) if hand.is_free(ob)]
+        shapes = [ob for ob in active_shape.shapes(context) if active_shape.is_free(ob)]
         named = [ob for ob in shapes if ob.name == self.shape_name]
-        active = [ob for ob in shapes if ob == hand.shape_of(context.object)]
+        active = [ob for ob in shapes if ob == active_shape.shape_of(context.object)]
         found = named if self.shape_name else active or shapes
         return found[0] if found else None
 
@@ -172,7 +177,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     def cancel(self, context):
         """Also called by Blender, where another file is opened meanwhile."""
-        state.pulled = None
+        ui_state.pulled = None
         if self._drag is not None:
             with suppress(ReferenceError):      # its area may be gone
                 self._drag.area.header_text_set(None)
@@ -182,17 +187,17 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
 
     def _aim(self, context, event):
         """Find the point at the mouse, and show it with the control points that would follow."""
-        state.pulled, self.shape_name, self.vector = None, "", (0.0, 0.0, 0.0)
-        obs = [ob for ob in hand.shapes(context) if hand.is_free(ob) and ob.visible_get()]
+        ui_state.pulled, self.shape_name, self.vector = None, "", (0.0, 0.0, 0.0)
+        obs = [ob for ob in active_shape.shapes(context) if active_shape.is_free(ob) and ob.visible_get()]
         try:
             found = picking.pointed_at(event.mouse_x, event.mouse_y, obs, context.evaluated_depsgraph_get())
             if found is not None:
                 ob, self.piece, at = found
                 self.parameter_u, self.parameter_v = (*at, 0.0)[:2]
-                state.pulled = self._aimed_at(ob, store.read(ob.data), at)
+                ui_state.pulled = self._aimed_at(ob, store.read(ob.data), at)
                 self.shape_name = ob.name
         except FAILURES:
-            state.pulled = None             # such a shape shows nothing to take hold of
+            ui_state.pulled = None             # such a shape shows nothing to take hold of
         redraw()
 
     def _choose(self, key):
@@ -205,10 +210,10 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         drag, was = self._drag, self.handle
         self._choose(key)
         try:
-            state.pulled = self._aimed_at(drag.ob, drag.held.definition, self._at(drag.held.definition))
+            ui_state.pulled = self._aimed_at(drag.ob, drag.held.definition, self._at(drag.held.definition))
         except FAILURES:
             self.handle = was
-        drag.hold_at(state.pulled.start)
+        drag.hold_at(ui_state.pulled.start)
 
     def _aimed_at(self, ob, before, at):
         """The Pull of a definition that has not been moved yet."""
@@ -228,7 +233,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
     def _grab(self, context, event):
         ob = self._owner(context)
         try:
-            self._drag = _Drag(event, ob, _held(context, ob), state.pulled.start)
+            self._drag = _Drag(event, ob, _held(context, ob), ui_state.pulled.start)
         except FAILURES as error:
             self.cancel(context)
             return reports.failed(self, error, ob.name)
@@ -253,9 +258,9 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             drag.held.show(after)
             problem = drag.held.lost and f"  {drag.held.lost}"
             points, parts = pulls.followers(drag.held.definition, after)
-            end = state.pulled.start + _into(drag.ob) @ self._typed()
+            end = ui_state.pulled.start + _into(drag.ob) @ self._typed()
             lines = self._handle(after, self._at(after))[1]
-            state.pulled = state.pulled._replace(end=end, followers=points, parts=parts, lines=lines)
+            ui_state.pulled = ui_state.pulled._replace(end=end, followers=points, parts=parts, lines=lines)
         except FAILURES as error:
             problem = f"  {sentence(error)}"
         drag.area.header_text_set(self._header(drag) + problem)

@@ -2,14 +2,14 @@
 
 from typing import NamedTuple
 
-from ...bridge.file_state import state
-from ...core.failures import FAILURES, blenders_refusals, sentence
+from ...bridge.data.file_state import state
+from ...core.base.failures import FAILURES, blenders_refusals, sentence
 
 #: Texts of one kind that are said; of others only how many there are.
 _MOST = 3
 
 
-class Said(NamedTuple):
+class Report(NamedTuple):
     """What is to be told of a work that was done."""
 
     done: str = ""

@@ -3,11 +3,15 @@
 import bpy
 import numpy as np
 
-from ...bridge import derived, keyed, placing, recipes, shape, surveys
-from ...bridge.file_state import state
-from ...core.failures import FAILURES, Refusal, blenders_refusals, sentence
+from ...bridge.analysis import surveys
+from ...bridge.follow import recipe_results
+from ...bridge.net import keyed
+from ...bridge.recipes import placing, recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, Refusal, blenders_refusals, sentence
 from ...core.recipes.table import RECIPES
 from .. import edges_overlay, picking
+from ..ui_state import ui_state
 from . import from_objects, polls, reports
 from .pointing import Pointing, redraw
 
@@ -36,47 +40,47 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
             return reports.failed(self, error)
         if not lines:
             return reports.cancelled(self, "there is no edge: no two sides lie on each other with an angle between their surfaces")
-        state.rounding = edges_overlay.Edges(tuple(lines), frozenset(chosen), 0)
+        ui_state.rounding = edges_overlay.Edges(tuple(lines), frozenset(chosen), 0)
         return self.begin(context, event)
 
     @property
     def hint(self):
-        chosen = state.rounding.chosen
+        chosen = ui_state.rounding.chosen
         count = "1 Edge" if len(chosen) == 1 else f"{len(chosen)} Edges"
         enter = f"Enter: Round {count}   |   " if chosen else ""
         return f"Click: Add or Remove an Edge   |   A: All or None   |   {enter}Esc, Right Mouse: Cancel"
 
     def look(self, context, event):
-        number = edge_at(context, event.mouse_x, event.mouse_y, state.rounding.lines)
-        if number != state.rounding.hovered:
-            state.rounding = state.rounding._replace(hovered=number)
+        number = edge_at(context, event.mouse_x, event.mouse_y, ui_state.rounding.lines)
+        if number != ui_state.rounding.hovered:
+            ui_state.rounding = ui_state.rounding._replace(hovered=number)
             redraw()
         return bool(number)
 
     def clicked(self, context):
-        self._choose(context, state.rounding.chosen ^ {state.rounding.hovered})
+        self._choose(context, ui_state.rounding.chosen ^ {ui_state.rounding.hovered})
         return {'RUNNING_MODAL'}
 
     def modal(self, context, event):
         if event.value == 'PRESS' and event.type == 'A':
-            everything = frozenset(range(1, len(state.rounding.lines) + 1))
-            self._choose(context, frozenset() if state.rounding.chosen == everything else everything)
+            everything = frozenset(range(1, len(ui_state.rounding.lines) + 1))
+            self._choose(context, frozenset() if ui_state.rounding.chosen == everything else everything)
             return {'RUNNING_MODAL'}
         if event.value == 'PRESS' and event.type in ('RET', 'NUMPAD_ENTER'):
-            if state.rounding.chosen:
+            if ui_state.rounding.chosen:
                 return self._make(context)
             self.tell(context, "Click an edge first")
             return {'RUNNING_MODAL'}
         return super().modal(context, event)
 
     def _choose(self, context, chosen):
-        state.rounding = state.rounding._replace(chosen=chosen)
+        ui_state.rounding = ui_state.rounding._replace(chosen=chosen)
         self.tell(context)
         redraw()
 
     def _make(self, context):
         """What is refused is said in the status bar, and others may be clicked."""
-        text, ob = text_of(state.rounding.chosen), context.object
+        text, ob = text_of(ui_state.rounding.chosen), context.object
         try:
             if _is_rounded(ob):
                 keyed.set_parameters(ob.data, {'edges': text})
@@ -91,10 +95,10 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         if not _is_rounded(ob):
             return {'FINISHED'}
         bpy.ops.ed.undo_push(message=self.bl_label)
-        return reports.finished(self, reports.Said(recipes.read(ob.data).said))
+        return reports.finished(self, reports.Report(recipes.read(ob.data).said))
 
     def forget(self):
-        state.rounding = None
+        ui_state.rounding = None
 
 
 def _is_rounded(ob):
@@ -108,7 +112,7 @@ def _edges(context):
     ob, depsgraph = context.object, context.evaluated_depsgraph_get()
     if not _is_rounded(ob):
         sources = from_objects.sources_of(context, _RECIPE)
-        matrices = [derived.matrix_in(source, None, depsgraph) for source in sources]
+        matrices = [recipe_results.matrix_in(source, None, depsgraph) for source in sources]
         return surveys.edge_lines_of(sources, matrices)[0], ()
     sources = recipes.read(ob.data).sources
     if not all(source is not None and shape.has_shape(source) for source in sources):

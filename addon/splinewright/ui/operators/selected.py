@@ -2,8 +2,9 @@
 
 from bpy.props import BoolProperty, StringProperty
 
-from ...bridge import recipes, shape
-from ...core.failures import FAILURES, sentence
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, sentence
 from .. import progress, texts
 from . import polls, reports
 
@@ -81,7 +82,7 @@ class OnSelected:
     def _refused(self, context, reasons):
         """Where another setting may do it, the panel of the last operator stays: Blender shows none of what was cancelled."""
         if self.by_hand and self.has_settings and any(map(self.can_work, self.chosen(context))):
-            return self._finished(reports.Said(_NOTHING, warnings=reasons), is_refused=True)
+            return self._finished(reports.Report(_NOTHING, warnings=reasons), is_refused=True)
         return reports.cancelled(self, *reasons)
 
     def _work_on_all(self, context):
@@ -98,8 +99,8 @@ class OnSelected:
         return outcomes, failed
 
     def said(self, outcomes):
-        """The reports.Said of what was done. outcomes: what work() gave for each name."""
-        return reports.Said(self.summary(outcomes))
+        """The reports.Report of what was done. outcomes: what work() gave for each name."""
+        return reports.Report(self.summary(outcomes))
 
     def summary(self, outcomes):
         return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...bridge import self_test
+from ...bridge.edit import self_test
 from .. import progress
 from . import reports
 
@@ -27,7 +27,7 @@ class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
             return reports.cancelled(self, f"Failed: {', '.join(failed)}. All of it is in the clipboard")
         if not bpy.app.background:
             _show(context, lines)
-        return reports.finished(self, reports.Said("Everything works: what was tried is in the clipboard"))
+        return reports.finished(self, reports.Report("Everything works: what was tried is in the clipboard"))
 
 
 def _show(context, lines):

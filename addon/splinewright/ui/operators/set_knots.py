@@ -5,12 +5,15 @@ from contextlib import suppress
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
-from ...bridge import held, recipes, shape, store
-from ...bridge.file_state import state
-from ...bridge.net import live, net_object
-from ...core import knots
-from ...core.failures import FAILURES, sentence
-from .. import editing, hand, texts
+from ...bridge.cage import net_object
+from ...bridge.data import held, store
+from ...bridge.net import live
+from ...bridge.recipes import recipes
+from ...bridge.shape import shape
+from ...core.base.failures import FAILURES, sentence
+from ...core.verbs import knots
+from .. import active_shape, editing, texts
+from ..ui_state import ui_state
 from . import reports
 from .pick_piece import draw_number
 
@@ -43,18 +46,18 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 
     def invoke(self, context, event):
         owner = _shape_in_hand(context)
-        hand.forget_asked()
-        hand.begin(self, [owner])
+        active_shape.forget_asked()
+        active_shape.begin(self, [owner])
         try:
             self._show_knots(owner.data)
         except FAILURES as error:
             return reports.failed(self, error)
         self._show_refused(owner.data)
-        state.asking.add(self.bl_idname)
+        ui_state.asking.add(self.bl_idname)
         return context.window_manager.invoke_props_dialog(self, width=700)
 
     def cancel(self, context):
-        state.asking.discard(self.bl_idname)
+        ui_state.asking.discard(self.bl_idname)
 
     def check(self, context):
         """A setting was changed: with another piece or axis the text becomes the knots of that."""
@@ -109,11 +112,11 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     def execute(self, context):
         self.cancel(context)            # the dialog is closed
         owner = _shape_in_hand(context)
-        hand.forget_asked()
-        hand.note(self, 'piece', owner)
+        active_shape.forget_asked()
+        active_shape.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
         for ob in editing_nets:
-            live.pull(ob)
+            live.sync_from_cage(ob)
             if live.problem(ob):
                 return reports.cancelled(self, live.problem(ob))
         try:
@@ -127,7 +130,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             self._keep_refused(owner.data, self.knots)
             return reports.failed(self, error)
         self._keep_refused(owner.data, "")
-        return reports.finished(self, reports.Said(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
+        return reports.finished(self, reports.Report(warnings=editing.anew(context, editing_nets) if editing_nets else ()))
 
     def _axis(self):
         return 'UV'.index(self.axis)
@@ -137,7 +140,7 @@ def _shape_in_hand(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
     if net_object.is_net(ob):
-        return hand.shape_of(ob) if ob.mode == 'EDIT' else None
+        return active_shape.shape_of(ob) if ob.mode == 'EDIT' else None
     return ob if shape.has_shape(ob) and ob.mode == 'OBJECT' and not editing.why_not(ob) else None
 
 

@@ -6,11 +6,11 @@ from contextlib import suppress
 import bpy
 from bpy.props import BoolProperty
 
-from ...bridge.file_state import state
 from ...bridge.net import live, selection
-from ...core import typed_number
-from ...core.failures import FAILURES, Refusal, sentence
+from ...core.base import typed_number
+from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing, picking, seeing, weight_overlay
+from ..ui_state import ui_state
 from . import reports
 from .pointing import PASSED, Typing, redraw
 
@@ -114,14 +114,14 @@ class Sideways(Typing):
         text = self.text(str(self._typed))
         region, _ = picking.view_at(event.mouse_x, event.mouse_y) or (context.region, None)
         x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
-        state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self.is_odd())
+        ui_state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self.is_odd())
         if self._area is not None:
             self._area.header_text_set(": ".join(filter(None, (text, self._problem))))
         context.workspace.status_text_set(_KEYS.format(*self.means))
         redraw()
 
     def _end(self, context):
-        state.weighing = None
+        ui_state.weighing = None
         with suppress(ReferenceError):
             if self._area is not None:
                 self._area.header_text_set(None)

@@ -2,10 +2,11 @@
 
 import bpy
 
-from ...bridge import recipes, sights
-from ...core.failures import FAILURES, blenders_refusals
-from .. import editing
+from ...bridge.data.settings import overlays_of
+from ...bridge.recipes import recipes
+from ...core.base.failures import FAILURES, blenders_refusals
 from .. import knot_strip as strip
+from .. import editing
 from . import reports
 from .on_shapes import at_exactly
 
@@ -52,7 +53,7 @@ class SPLINEWRIGHT_OT_remove_on_strip(_OnStrip, bpy.types.Operator):
         if hit.mark is None:
             return reports.stopped(self, "Point at the mark of a knot to remove it")
         return _called('remove_knot', hit, nearest=False, times=1, limited=True,
-                       tolerance=sights.of(context.scene).strip_tolerance)
+                       tolerance=overlays_of(context.scene).strip_tolerance)
 
 
 def _called(name, hit, **settings):

@@ -3,10 +3,14 @@
 import bpy
 from bpy.props import BoolProperty, IntProperty
 
-from ...bridge import derived, shape
-from ...core import decimals, touching, transform, verbs
-from ...core.failures import FAILURES, Refusal
-from ...core.library import sc
+from ...bridge.follow import recipe_results
+from ...bridge.shape import shape
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal
+from ...core.base.library import sc
+from ...core.meets import touching
+from ...core.shape import transform
+from ...core.verbs import verbs
 from . import new_shapes, reports
 from .adding import Repeatable, add_in_front, can_add, resolution_property
 from .long_work import LongWork
@@ -39,7 +43,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         return {'circles': self._task(context)}
 
     def execute(self, context):
-        new_shapes.settle(self)
+        new_shapes.fill_from_preferences(self)
         sources = list(filter(_is_curve, context.selected_objects))
         try:
             found = self.result_of('circles', self._task(context))
@@ -53,13 +57,13 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, sources)
         which = f"circle {self.number} of {len(found)}, " if len(found) > 1 else ""
-        return self.finished(context, reports.Said(f"{which}radius {decimals.text_of(circle.radius)}"))
+        return self.finished(context, reports.Report(f"{which}radius {decimals.text_of(circle.radius)}"))
 
     def _task(self, context):
         """A function that gives the touching.Circles in the world, for a `cancel` as the library takes it. Raises Refusal."""
         depsgraph = context.evaluated_depsgraph_get()
         curves = [curve for ob in context.selected_objects if _is_curve(ob) for curve in verbs.curves_of(transform.transformed(
-            derived.definition_of(ob, depsgraph), derived.matrix_in(ob, None, depsgraph)))]
+            recipe_results.definition_of(ob, depsgraph), recipe_results.matrix_in(ob, None, depsgraph)))]
         if len(curves) != 3:
             raise Refusal(f"{len(curves)} curves are selected: three are needed")
         return lambda cancel: touching.circles(*curves, cancel)
@@ -73,7 +77,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
 
 
 def _is_curve(ob):
-    return ob.type == 'CURVE' and derived.is_possible(ob)
+    return ob.type == 'CURVE' and recipe_results.is_possible(ob)
 
 
 CLASSES = (SPLINEWRIGHT_OT_add_touching_circle,)

@@ -2,8 +2,11 @@
 
 import bpy
 
-from ...bridge import follow, late, problems, shape
-from ...core.failures import Refusal
+from ...bridge.data import problems
+from ...bridge.follow import follow
+from ...bridge.recipes import late
+from ...bridge.shape import shape
+from ...core.base.failures import Refusal
 from .selected import OnSelected
 
 

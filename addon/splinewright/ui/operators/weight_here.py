@@ -6,10 +6,11 @@ import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
-from ...bridge import recipes
-from ...bridge.net import live, net_object, selection, weighing
-from ...core import decimals
-from ...core.failures import FAILURES, Refusal, sentence
+from ...bridge.cage import net_object
+from ...bridge.net import live, selection, weighing
+from ...bridge.recipes import recipes
+from ...core.base import decimals
+from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -121,10 +122,10 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
             _put_back(chosen)
             if is_refused_for_good:
                 return reports.cancelled(self, sentence(error))
-            return reports.finished(self, reports.Said("Nothing changed", warnings=(sentence(error),)))
+            return reports.finished(self, reports.Report("Nothing changed", warnings=(sentence(error),)))
         count = sum(len(vertices) for _, vertices, _ in chosen)
         text = f"{self.weight:.4g}" if self.kind == 'SET' else f"× {self.factor:.4g}"
-        return reports.finished(self, reports.Said(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
+        return reports.finished(self, reports.Report(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
 
 
 def moved(base, doublings, step=0.0):

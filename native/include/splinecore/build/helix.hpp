@@ -13,7 +13,7 @@ struct HelixOptions {
   double turns = 1.0;                     ///< negative: left-handed
   double phase = 0.0;                     ///< the angle of its start, in radians
   std::optional<glm::dvec3> start;        ///< the direction of the angle 0 at the start; none: as of CarriedFrame
-  std::optional<double> tolerance;        ///< how far the result may be from the helix; none: 2^-20 of the size
+  std::optional<double> tolerance;        ///< how far the result may be from the helix; none: 2^-20 of its size
 };
 
 /// A helix about a curve, or where its radii differ a spiral: a point that turns evenly by the length of the curve in

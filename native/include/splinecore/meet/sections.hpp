@@ -14,7 +14,7 @@ namespace splinecore {
 /// What two shapes do at a curve that they have in common.
 enum class SectionKind {
   crossing,  ///< they go through each other
-  touching,  ///< they touch, and part to both sides
+  touching,  ///< they touch, and part to both sides, also at a crease: a ridge or a valley of one lies on the other
   border,    ///< they are one up to it: the border of one lies on the other
 };
 

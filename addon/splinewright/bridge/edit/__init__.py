@@ -1,0 +1,1 @@
+"""Shapes are joined, split, moved, baked, and given other pieces."""

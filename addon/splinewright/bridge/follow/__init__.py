@@ -1,0 +1,1 @@
+"""Shapes that are made from other objects follow them."""

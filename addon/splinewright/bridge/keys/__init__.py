@@ -1,0 +1,1 @@
+"""Control points that are animated by shape keys."""

@@ -1,0 +1,1 @@
+"""Meshes that are written from patches, and what of a mesh the user owns."""

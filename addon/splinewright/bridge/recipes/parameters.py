@@ -1,0 +1,67 @@
+"""The parameters of recipes as Blender's properties show them, in float32. What counts is the recipe beside them.
+
+They keep their numbers themselves, without get and set functions: keyed values Blender sets in threads of
+its own, where it must not call Python.
+"""
+
+import numpy as np
+
+from ...core.base import decimals
+from ..data import settings
+
+
+def of(data):
+    """The PropertyGroup of a data-block."""
+    return data.splinewright_parameters
+
+
+def name_of(recipe, parameter):
+    """The attribute of a parameter among those of all recipes."""
+    return f"{recipe.kind}_{parameter.name}"
+
+
+def as_typed(parameter, value):
+    """The value as the user typed it: of a float32 the shortest decimal that is it."""
+    if not isinstance(parameter.default, float):
+        return value
+    if np.float32(value) == np.float32(parameter.default):
+        return parameter.default
+    angle = decimals.typed_angle(value)
+    return angle if parameter.unit == 'ROTATION' and np.float32(angle) == np.float32(value) else decimals.typed(value)
+
+
+def changes(recipe, values, group):
+    """{name: value} of the parameters that a group of properties shows other than these values."""
+    given = {parameter.name: getattr(group, name_of(recipe, parameter)) for parameter in recipe.parameters}
+    return {parameter.name: as_typed(parameter, given[parameter.name]) for parameter in recipe.parameters
+            if not _are_one(values[parameter.name], given[parameter.name])}
+
+
+def _are_one(value, shown):
+    return np.float32(value) == np.float32(shown) if isinstance(value, float) else value == shown
+
+
+def show(data, recipe, values, frames=(), count=0):
+    """Let the properties of a data-block show these values, the object that gives the place, if any, and a list of this length."""
+    group = of(data)
+    with settings.quiet(data):
+        for parameter in recipe.parameters:
+            name, value = name_of(recipe, parameter), values[parameter.name]
+            if not group.is_property_set(name) or not _are_one(value, getattr(group, name)):
+                setattr(group, name, value)
+        frame = frames[0] if frames else None
+        if group.frame != frame:
+            group.frame = frame
+        while len(group.inputs) < count:
+            group.inputs.add()
+        while len(group.inputs) > count:
+            group.inputs.remove(count)
+        if group.active_input >= count > 0:
+            group.active_input = count - 1
+
+
+def are_shown(data, recipe, count=0):
+    """Whether show() ever was called for a data-block that is made from this number of objects. It was not in older files."""
+    group = of(data)
+    return (len(group.inputs) == (count if recipe.has_more else 0)
+            and all(group.is_property_set(name_of(recipe, parameter)) for parameter in recipe.parameters))

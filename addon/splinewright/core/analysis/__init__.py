@@ -1,0 +1,1 @@
+"""What is measured of shapes and shown over them: combs, frames, distances, polygons."""

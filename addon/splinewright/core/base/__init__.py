@@ -1,0 +1,1 @@
+"""Numbers, units, failures, and the one way to the library."""

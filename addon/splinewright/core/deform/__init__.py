@@ -1,0 +1,1 @@
+"""What moves shapes other than point by point: pulls, turns, mirrors, deformations."""

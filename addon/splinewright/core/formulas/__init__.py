@@ -1,0 +1,1 @@
+"""Shapes as formulas, and as steps of the algorithms that evaluate them."""

@@ -1,0 +1,1 @@
+"""Joints of curves and seams of patches: how continuous they are, and what holds them."""

@@ -1,0 +1,1 @@
+"""Where curves and surfaces meet, touch, or are projected."""

@@ -1,0 +1,1 @@
+"""What surfaces over curves are made of: sections, rails, rims, caps, holes."""

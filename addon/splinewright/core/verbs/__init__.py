@@ -1,0 +1,1 @@
+"""What changes curves and patches piece by piece: knots, degrees, splits, forms."""

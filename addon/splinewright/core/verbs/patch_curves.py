@@ -1,0 +1,71 @@
+"""Curves on patches: at one parameter, and around."""
+
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..shape import parameters
+from . import verbs
+from .patch_verbs import Along
+
+#: Sides as splinecore names them, and in words.
+SIDES = {'u_start': "u start", 'u_end': "u end", 'v_start': "v start", 'v_end': "v end"}
+#: (name, label, description) of each, to choose from.
+SIDE_CHOICES = (("u_start", "u Start", "Where u starts"), ("u_end", "u End", "Where u ends"),
+                ("v_start", "v Start", "Where v starts"), ("v_end", "v End", "Where v ends"))
+#: A curve whose points lie so near to each other, as a part of the size of the patch, is a point.
+_POINT = 1e-12
+
+
+def isocurves(patches, number, at):
+    """(the curves on patches at pairs of an axis and a parameter, why those that are none were left out), of one patch
+    or of all where the number is 0. Raises Refusal if no curve is left.
+    """
+    return _found(patches, number, at, _isocurve)
+
+
+def boundaries(patches, number, sides):
+    """isocurves(), of the sides of patches."""
+    return _found(patches, number, sides, side_of)
+
+
+def _found(patches, number, wanted, find):
+    verbs.require_piece(patches, number, least=0)
+    curves, left_out = [], []
+    for i, patch in enumerate(patches):
+        for one in wanted if number in (0, i + 1) else ():
+            curve, reason = find(patch, one)
+            if not reason:
+                curves.append(curve)
+            else:
+                left_out.append(f"piece {i + 1}: {reason}" if len(patches) > 1 else reason)
+    if not curves:
+        raise Refusal(", ".join(left_out))
+    return curves, left_out
+
+
+def _isocurve(patch, wanted):
+    """(a curve, "") or (None, why there is none)."""
+    axis, parameter = wanted
+    parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
+    try:
+        curve = patch.isocurve(axis, parameter)
+    except sc.InvalidShape as error:
+        return None, str(error).replace("at =", f"{axis} =")
+    return (None, f"at {axis} = {parameter:.6g} it is a point") if _is_point(curve, patch) else (curve, "")
+
+
+def side_of(patch, side):
+    """(the curve of a side, "") or (None, why there is none)."""
+    if getattr(patch, 'periodic', (False, False))['uv'.index(side[0])]:
+        return None, f"{SIDES[side]} is no side, the patch is periodic"
+    try:
+        curve = patch.boundary(side)
+    except sc.InvalidShape:
+        return None, f"{SIDES[side]} lies at infinity"
+    return (None, f"{SIDES[side]} is a point") if _is_point(curve, patch) else (curve, "")
+
+
+def _is_point(curve, patch):
+    if (curve.weights == 0).any():
+        return False
+    size = (patch.points.max(axis=(0, 1)) - patch.points.min(axis=(0, 1))).max()
+    return bool((curve.points.max(axis=0) - curve.points.min(axis=0)).max() <= _POINT * size)

@@ -1,0 +1,56 @@
+"""What runs on GitHub: on proposed changes, too, and nothing that somebody else can exchange."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROJECT = Path(__file__).resolve().parents[2]
+FOLDER = PROJECT / ".github/workflows"
+TEXTS = {path.name: path.read_text() for path in sorted(FOLDER.glob("*.yml"))}
+
+
+def test_proposed_changes_are_tested():
+    assert re.search(r"^  pull_request:", TEXTS["tests.yml"], re.M) and "./run test\n" in TEXTS["tests.yml"]
+
+
+@pytest.mark.parametrize("name", TEXTS)
+def test_actions_are_pinned_by_hash_with_their_version(name):
+    used = re.findall(r"uses: (.+)", TEXTS[name])
+    assert used
+    for action in used:
+        if action.startswith("./"):
+            assert (PROJECT / action).is_file(), action
+        else:
+            assert re.fullmatch(r"[\w./-]+@[0-9a-f]{40} # v\d+\.\d+\.\d+", action), action
+
+
+def test_one_action_has_one_hash():
+    pins = {}
+    for text in TEXTS.values():
+        for action, pin in re.findall(r"uses: ([\w./-]+)@(.+)", text):
+            assert pins.setdefault(action, pin) == pin, action
+
+
+def test_what_is_run_is_there():
+    for text in TEXTS.values():
+        for word in re.findall(r"(?:\{project\}/|/usr/bin/python3 )([\w/.]+)", text):
+            assert (PROJECT / word).exists(), word
+        for command in re.findall(r"\./run ([\w-]+)", text):
+            assert re.search(rf"^  {command}\)", (PROJECT / "run").read_text(), re.M), command
+
+
+def test_zizmor_finds_no_risk(tmp_path):
+    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+    if subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], capture_output=True, env=environment).returncode:
+        pytest.skip("venv does not work here")
+    done = subprocess.run([tmp_path / "venv/bin/python", "-m", "pip", "--retries", "1", "--timeout", "20", "install", "-q",
+                           "zizmor==1.32.0"], capture_output=True, text=True, env=environment)
+    if done.returncode:
+        pytest.skip(f"PyPI cannot be reached, so there is no zizmor: {done.stderr[-200:]}")
+    done = subprocess.run([tmp_path / "venv/bin/zizmor", "--offline", "--no-progress", "--min-severity", "medium", FOLDER],
+                          capture_output=True, text=True, env=environment)
+    assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
