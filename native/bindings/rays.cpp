@@ -104,7 +104,9 @@ RayHits found_on(const Target& target, const py::object& origins, const py::obje
                  const py::object& limits, const py::object& threads, const py::object& cancel) {
   const bool is_all = wants_all(hits);
   const GivenRays given(origins, directions);
-  const splinecore::RayOptions options{interval_of(limits, "limits"), threads_of(threads)};
+  splinecore::RayOptions options;
+  if (!limits.is_none()) options.limits = interval_of(limits, "limits");
+  options.threads = threads_of(threads);
   if (!is_all) {
     std::vector<std::optional<RayHit>> found(given.rays.size());
     unlocked([&] { splinecore::first_hits(target, given.rays, found, options); }, cancel);
@@ -122,8 +124,6 @@ RayHits found_on(const Target& target, const py::object& origins, const py::obje
   }
   return out;
 }
-
-py::tuple forward() { return py::make_tuple(0.0, std::numeric_limits<double>::infinity()); }
 
 void bind_result(py::module_& module) {
   Class<RayHits> cls(module, "RayHits", py::module_local());
@@ -149,14 +149,14 @@ void bind_rays(py::module_& module) {
                  const py::object& limits, const py::object& threads, const py::object& cancel) {
         return found_on(patch_form(self), origins, directions, hits, limits, threads, cancel);
       },
-      py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = forward(),
+      py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = py::none(),
       py::arg("threads") = 0, py::arg("cancel") = py::none());
   class_of<PatchSet>(module, "PatchSet").def(
       "rays", [](const PatchSet& self, const py::object& origins, const py::object& directions, const py::object& hits,
                  const py::object& limits, const py::object& threads, const py::object& cancel) {
         return found_on(self, origins, directions, hits, limits, threads, cancel);
       },
-      py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = forward(),
+      py::arg("origins"), py::arg("directions"), py::kw_only(), py::arg("hits") = "first", py::arg("limits") = py::none(),
       py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 

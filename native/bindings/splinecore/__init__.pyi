@@ -8770,7 +8770,7 @@ class NurbsPatch:
         directions: ArrayLike,
         *,
         hits: Literal["first", "all"] = "first",
-        limits: tuple[float, float] = ...,
+        limits: ArrayLike | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> RayHits:
@@ -8788,8 +8788,9 @@ class NurbsPatch:
             Vectors (..., 3); they broadcast with the origins.
         hits : {'first', 'all'}, default 'first'
             The first place of each ray, or all places.
-        limits : tuple (float, float), default ...
-            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        limits : array_like, optional
+            First and last multiple (2,) of the direction, by default 0 and infinity; (-inf, inf) takes
+            whole lines.
         threads : int, default 0
             How many threads; 0 takes all cores where that is worth it. The result is the same in every
             bit.
@@ -10299,7 +10300,7 @@ class BezierPatch:
         directions: ArrayLike,
         *,
         hits: Literal["first", "all"] = "first",
-        limits: tuple[float, float] = ...,
+        limits: ArrayLike | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> RayHits:
@@ -10317,8 +10318,9 @@ class BezierPatch:
             Vectors (..., 3); they broadcast with the origins.
         hits : {'first', 'all'}, default 'first'
             The first place of each ray, or all places.
-        limits : tuple (float, float), default ...
-            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        limits : array_like, optional
+            First and last multiple (2,) of the direction, by default 0 and infinity; (-inf, inf) takes
+            whole lines.
         threads : int, default 0
             How many threads; 0 takes all cores where that is worth it. The result is the same in every
             bit.
@@ -11598,7 +11600,7 @@ class HermitePatch:
         directions: ArrayLike,
         *,
         hits: Literal["first", "all"] = "first",
-        limits: tuple[float, float] = ...,
+        limits: ArrayLike | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> RayHits:
@@ -11616,8 +11618,9 @@ class HermitePatch:
             Vectors (..., 3); they broadcast with the origins.
         hits : {'first', 'all'}, default 'first'
             The first place of each ray, or all places.
-        limits : tuple (float, float), default ...
-            Where to look along each ray, in multiples of its direction; (-inf, inf) takes whole lines.
+        limits : array_like, optional
+            First and last multiple (2,) of the direction, by default 0 and infinity; (-inf, inf) takes
+            whole lines.
         threads : int, default 0
             How many threads; 0 takes all cores where that is worth it. The result is the same in every
             bit.
@@ -12525,7 +12528,7 @@ class PatchSet:
         directions: ArrayLike,
         *,
         hits: Literal["first", "all"] = "first",
-        limits: tuple[float, float] = ...,
+        limits: ArrayLike | None = None,
         threads: SupportsIndex = 0,
         cancel: _Cancel | None = None,
     ) -> RayHits:
@@ -12542,8 +12545,8 @@ class PatchSet:
             Vectors (..., 3); they broadcast with the origins.
         hits : {'first', 'all'}, default 'first'
             The first place of each ray, or all places.
-        limits : tuple (float, float), default ...
-            Where to look along each ray, in multiples of its direction.
+        limits : array_like, optional
+            First and last multiple (2,) of the direction, by default 0 and infinity.
         threads : int, default 0
             How many threads; 0 takes all cores where that is worth it. The result is the same in every
             bit.
