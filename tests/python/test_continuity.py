@@ -221,8 +221,15 @@ def test_bad_numbers_raise_invalid_shape_that_names_them(call, words):
 
 @pytest.mark.parametrize("bad", [None, "a", [1, 2], 1j, object(), True])
 def test_what_is_of_another_type_raises_type_error(bad):
-    for call in (circle().continuity, circle().continuity_to, circle().joints):
+    for call in (circle().continuity, circle().joints):
         with pytest.raises(TypeError):
+            call(bad)
+
+
+@pytest.mark.parametrize("bad", [None, "a", [1, 2], 1j, object(), True])
+def test_what_is_no_curve_is_named(bad):
+    for call in (circle().continuity_to, circle().join):
+        with pytest.raises(sc.InvalidShape, match=f"other is {type(bad).__name__}, a curve is expected"):
             call(bad)
 
 
