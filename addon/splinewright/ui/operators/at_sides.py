@@ -7,7 +7,8 @@ from ...core.base.failures import FAILURES
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import patch_join, polls, reports
-from .pointing import Pointing, given, redraw, take_again
+from .gesture import redraw
+from .pointing import Pointing, given, take_again
 
 
 class _PicksSides(Pointing):

@@ -11,7 +11,8 @@ from ...core.base.failures import FAILURES, Refusal
 from .. import edge_picking
 from ..ui_state import ui_state
 from . import polls, reports
-from .pointing import Pointing, redraw
+from .gesture import redraw
+from .pointing import Pointing
 
 
 class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):

@@ -13,8 +13,9 @@ from ...core.meets import meeting
 from .. import active_shape, aim_overlay, picking
 from ..ui_state import ui_state
 from . import curve_corners, curve_meeting, polls, reports
+from .gesture import redraw
 from .insert_here import ByClick
-from .pointing import Pointing, given, redraw
+from .pointing import Pointing, given
 
 
 def once(known, key, find):

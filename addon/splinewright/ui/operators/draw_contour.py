@@ -17,18 +17,19 @@ from .. import drawing_marks, picking, snapping, weight_overlay
 from ..ui_state import ui_state
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
-from .pointing import PASSED, Typing, redraw
+from .gesture import Gesture, Typing, redraw
 
 _DONE = ('RET', 'NUMPAD_ENTER', 'SPACE')
 #: Pixels, of an interface that is not scaled, within which a click on the first point closes.
 _MEETING = 12.0
 
 
-class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
+class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
     bl_idname = "splinewright.draw_contour"
     bl_label = "Draw Contour"
     bl_description = "Click points of a contour: A switches to arcs, Ctrl snaps angles, numbers set lengths, Enter finishes"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    cursor = 'CROSSHAIR'
 
     contour: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
     at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # the first point is where the mouse is pressed
@@ -45,8 +46,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         self._drawn = self._longer = contours.Contour()
         self._forget_typed()
         self._marks = drawing_marks.Marks(context)
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('CROSSHAIR')
+        self.start(context)
         if self.at_once:
             self._aim(context, event)
             return self._click(context, event)
@@ -57,12 +57,10 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         """Typed is the length; _other has the angle meanwhile, or the other way round."""
         self._typed, self._other, self._types_angle = typed_number.Typed(), typed_number.Typed(), False
 
-    def modal(self, context, event):
-        if event.type in PASSED and not (event.type.startswith("NUMPAD_") and self._drawn.points):
-            return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
+    def lets_pass(self, event):
+        return super().lets_pass(event) and not (event.type.startswith("NUMPAD_") and self._drawn.points)
+
+    def step(self, context, event):
         if event.value == 'PRESS' and event.type == 'S':
             self._marks.are_on = not self._marks.are_on
         elif event.value == 'PRESS' and self._drawn.points:
@@ -70,14 +68,15 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
                 return self._end(context)
             if event.type == 'C' and len(self._drawn.points) > 2:
                 return self._end(context, closed=True)
-            self._key(event)
         self._aim(context, event)
         if event.type == 'LEFTMOUSE' and event.value == 'PRESS':
             return self._click(context, event)
         self._show(context, event)
         return {'RUNNING_MODAL'}
 
-    def _key(self, event):
+    def takes(self, event):
+        if event.value != 'PRESS' or not self._drawn.points:
+            return False
         if event.type == 'A':
             self._kind = contours.ARC if self._kind == contours.SEGMENT else contours.SEGMENT
         elif event.type == 'TAB':
@@ -86,14 +85,11 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
             self._drawn = self._drawn.shortened()
             self._marks.begin_at(self._drawn)
         else:
-            self.takes(event)
+            return super().takes(event)
+        return True
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def hide(self):
         ui_state.contour = ui_state.weighing = None
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
 
     def execute(self, context):
         new_shapes.fill_from_preferences(self)
@@ -220,7 +216,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, bpy.types.Operator):
         drawn = self._drawn._replace(closed=closed, closing=self._kind if closed else contours.SEGMENT)
         if closed and not _is_possible(drawn):
             return {'RUNNING_MODAL'}    # there is no such arc
-        self.cancel(context)
+        self.end(context)
         if len(drawn.points) < 2:
             return reports.stopped(self, "one point is no contour: click two or more")
         self.contour = contours.text_of(drawn)

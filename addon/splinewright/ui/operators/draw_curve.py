@@ -15,7 +15,7 @@ from .. import picking, recipe_props
 from ..ui_state import ui_state
 from . import new_shapes, reports
 from .adding import add_in_front, can_add, require_place, resolution_property
-from .pointing import PASSED, redraw
+from .gesture import Gesture, redraw
 
 _SPLINE = RECIPES['approximating']
 _PARAMETERS = {parameter.name: parameter for parameter in _SPLINE.parameters}
@@ -25,10 +25,11 @@ _TOO_SHORT = "the stroke is too short: press the left mouse button, drag and rel
 _SHORTEST, _MEETING = 10.0, 12.0
 
 
-class _Pen:
+class _Pen(Gesture):
     """A stroke is drawn, and becomes a curve."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    cursor = 'PAINT_BRUSH'
 
     stroke: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
     at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # begin where the mouse is pressed
@@ -48,15 +49,14 @@ class _Pen:
 
     def invoke(self, context, event):
         self._pixels, self._view, self._on_surface = [], None, self.begins_on_surface
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('PAINT_BRUSH')
         self._hint(context)
+        self.start(context)
         return self._wait(context, event) if self.at_once else {'RUNNING_MODAL'}
 
-    def modal(self, context, event):
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
+    def lets_pass(self, event):
+        return self._view is None and super().lets_pass(event)
+
+    def step(self, context, event):
         if self._view is None:
             return self._wait(context, event)
         if event.type in _MOVES:
@@ -66,12 +66,8 @@ class _Pen:
             return self._end(context)
         return {'RUNNING_MODAL'}
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def hide(self):
         ui_state.drawn_stroke = ()
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
 
     def execute(self, context):
         new_shapes.fill_from_preferences(self)
@@ -104,9 +100,7 @@ class _Pen:
                                           f"({'on' if self._on_surface else 'off'}); Esc or right mouse: cancel")
 
     def _wait(self, context, event):
-        """modal() until the stroke begins."""
-        if event.type in PASSED:
-            return {'PASS_THROUGH'}
+        """step() until the stroke begins."""
         if event.type == 'S' and event.value == 'PRESS':
             self._on_surface = not self._on_surface
             self._hint(context)
@@ -131,7 +125,7 @@ class _Pen:
 
     def _end(self, context):
         points, pixels = ui_state.drawn_stroke, self._pixels
-        self.cancel(context)
+        self.end(context)
         length = sum((after - before).length for before, after in zip(pixels, pixels[1:]))
         if length < picking.near(_SHORTEST):
             return reports.stopped(self, _TOO_SHORT)

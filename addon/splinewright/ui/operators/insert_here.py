@@ -11,7 +11,8 @@ from .. import active_shape, aim_overlay, editing, picking
 from ..ui_state import ui_state
 from . import meant, reports
 from .on_shapes import at_exactly
-from .pointing import PASSED, redraw, take_again
+from .gesture import Gesture, redraw
+from .pointing import take_again
 
 _DIRECTIONS = ('U', 'V', 'BOTH')
 #: Pixels, of an interface that is not scaled, that belong to a point.
@@ -19,10 +20,11 @@ _ON_POINT = 8.0
 _STEPS = {'WHEELUPMOUSE': 1, 'WHEELDOWNMOUSE': -1}
 
 
-class ByClick:
+class ByClick(Gesture):
     """What is at the mouse is shown until it is clicked, or called off."""
 
     bl_options = {'REGISTER'}
+    cursor = 'CROSSHAIR'
     works_on_nets = True
     #: What lies at the mouse, and what a click does with it.
     thing, does = "", ""
@@ -56,19 +58,15 @@ class ByClick:
         if aimed:
             return self.clicked(aimed)
         self._snaps, self._why_none = False, ""
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('CROSSHAIR')
         self._aim(context, event)
-        return {'RUNNING_MODAL'}
+        return self.start(context)
 
-    def modal(self, context, event):
-        if event.type in _STEPS and self._is_on_patch():
+    def lets_pass(self, event):
+        return super().lets_pass(event) and not self._turns(event)
+
+    def step(self, context, event):
+        if self._turns(event):
             self.direction = _DIRECTIONS[(_DIRECTIONS.index(self.direction) + _STEPS[event.type]) % len(_DIRECTIONS)]
-        elif event.type in PASSED:
-            return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
         self._snaps |= not event.ctrl   # the Ctrl of the key that called it does not count
         self._aim(context, event)
         if event.type not in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') or event.value != 'PRESS':
@@ -78,7 +76,7 @@ class ByClick:
             self._tell(context)
             return {'RUNNING_MODAL'}
         aimed = ui_state.aimed
-        self.cancel(context)
+        self.end(context)
         return self.clicked(aimed)
 
     def done_at(self, aimed, operator, **settings):
@@ -88,15 +86,12 @@ class ByClick:
             settings['direction'] = aimed.direction
         return reports.called(self, operator, only=aimed.name, piece=aimed.number, **settings)
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def hide(self):
         ui_state.aimed = None
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
 
-    def _is_on_patch(self):
-        return ui_state.aimed is not None and len(ui_state.aimed.parameters) == 2
+    def _turns(self, event):
+        """Whether the wheel changes the direction of what is at the mouse, a patch."""
+        return event.type in _STEPS and ui_state.aimed is not None and len(ui_state.aimed.parameters) == 2
 
     def told(self, context, aimed):
         """The Aim, with what a click would do."""

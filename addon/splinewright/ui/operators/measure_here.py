@@ -9,7 +9,8 @@ from ...core.analysis import measured
 from ...core.base.failures import FAILURES, sentence
 from .. import active_shape, editing, measure_overlay, picking
 from ..ui_state import ui_state
-from .pointing import Pointing, redraw
+from .gesture import redraw
+from .pointing import Pointing
 
 
 class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):

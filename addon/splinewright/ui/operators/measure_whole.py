@@ -9,7 +9,7 @@ from ...core.base.failures import FAILURES
 from .. import active_shape
 from . import reports
 from .long_work import LongWork
-from .pointing import redraw
+from .gesture import redraw
 
 
 class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):

@@ -1,6 +1,5 @@
 """Move a knot between its neighbors: on the knot strip by the mouse or typed numbers, or in the panel."""
 
-from contextlib import suppress
 
 import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
@@ -13,8 +12,8 @@ from .. import knot_strip as strip
 from .. import active_shape, editing
 from ..ui_state import ui_state
 from . import reports
+from .gesture import Gesture, Typing, redraw
 from .pick_piece import draw_number
-from .pointing import PASSED, Typing, redraw
 
 #: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
 _STILL = 3.0
@@ -26,7 +25,7 @@ _KEYS = ("Move: the knot   |   Digits: its parameter   |   Ctrl: round numbers  
          "Esc, Right Mouse: as it was")
 
 
-class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
+class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
     bl_idname = "splinewright.move_knot"
     bl_label = "Move Knot"
     bl_description = "Move a knot of the shape between its neighbors: the control points stay, and the shape follows"
@@ -101,24 +100,17 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
         self._note = ""
         self._drag, self._refused = None, ""
-        context.window_manager.modal_handler_add(self)
         context.workspace.status_text_set(_KEYS)
-        return {'RUNNING_MODAL'}
+        return self.start(context)
 
-    def modal(self, context, event):
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        is_key = self.takes(event)
-        if not (self._drag or self._refused) and (is_key or abs(event.mouse_x - self._pressed) >= _STILL):
+    def step(self, context, event):
+        if not (self._drag or self._refused) and (str(self._typed) or abs(event.mouse_x - self._pressed) >= _STILL):
             self._begin(context)
         if event.type == 'MOUSEMOVE':
             self._moved += (event.mouse_x - self._x) * (_FINE if event.shift else 1.0)
             self._x = event.mouse_x
         elif self._is_over(event):
             return self._let_go(context)
-        elif event.type in PASSED and not is_key:
-            return {'PASS_THROUGH'}
         if self._drag is not None:
             self._show(event)
         return {'RUNNING_MODAL'}
@@ -132,7 +124,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             self._drag = self._held(self._data)
         except FAILURES as error:
             self._refused = reports.named(self._shown.ob.name, sentence(error))
-            self._area.header_text_set(self._refused)
+            self.write_header(self._area, self._refused)
             return
         ui_state.moved_knot = strip.Moved(self._data.name, 'UV'.index(self.axis), self._mark, self._shown.spans)
 
@@ -153,7 +145,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
             self._note = self._drag.lost
         except FAILURES as error:
             self._problem = sentence(error)
-        self._area.header_text_set(self._text())
+        self.write_header(self._area, self._text())
         redraw()
 
     def _followed(self, event):
@@ -180,15 +172,12 @@ class SPLINEWRIGHT_OT_move_knot(Typing, bpy.types.Operator):
         self.parameter, self.exact = decimals.single(self._to), repr(self._to)
         return self.execute(context)
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def hide(self):
         ui_state.moved_knot = None
-        with suppress(ReferenceError):      # its area or data may be gone
-            if self._drag is not None:
-                self._drag.put_back()
-            self._area.header_text_set(None)
-        context.workspace.status_text_set(None)
-        redraw()
+
+    def put_back(self):
+        if self._drag is not None:
+            self._drag.put_back()
 
 
 CLASSES = (SPLINEWRIGHT_OT_move_knot,)

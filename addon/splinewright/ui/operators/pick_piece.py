@@ -7,7 +7,8 @@ from ...bridge.shape import shape
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import polls, reports
-from .pointing import Pointing, redraw
+from .gesture import redraw
+from .pointing import Pointing
 
 
 def draw_number(layout, operator, setting):

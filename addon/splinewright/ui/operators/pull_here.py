@@ -2,7 +2,6 @@
 change."""
 
 import math
-from contextlib import suppress
 
 import bpy
 import numpy as np
@@ -25,7 +24,7 @@ from ..pull_keys import Keys
 from ..pull_overlay import Pull
 from ..ui_state import ui_state
 from . import reports
-from .pointing import PASSED, redraw
+from .gesture import Gesture, redraw
 
 _STEPS = {'WHEELUPMOUSE': 0.5, 'WHEELDOWNMOUSE': -0.5}
 #: The mouse has not been moved where it is nearer to where it was pressed, in pixels.
@@ -40,11 +39,12 @@ _OF_CURVES = "T: keep the tangent   |   D, C: pull it, or the circle   |   "
 _HANDLE_KEYS = {'D': 'TANGENT', 'C': 'CIRCLE'}
 
 
-class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
+class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
     bl_idname = "splinewright.pull_here"
     bl_label = "Pull Shape"
     bl_description = "Drag any point of a curve or patch; the control points follow with the least change"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    cursor = 'CROSSHAIR'
     works_on_nets = True
 
     shape_name: StringProperty(options={'HIDDEN', 'SKIP_SAVE'})
@@ -144,8 +144,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         if problem:
             return reports.cancelled(self, problem)
         self._drag = None
-        context.window_manager.modal_handler_add(self)
-        context.window.cursor_modal_set('CROSSHAIR')
+        self.start(context)
         context.workspace.status_text_set(_AIMING)
         self._aim(context, event)
         return self._grab(context, event) if self.at_once else {'RUNNING_MODAL'}
@@ -159,13 +158,10 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         self._aim(context, event)
         return bool(self.shape_name)
 
-    def modal(self, context, event):
-        if self._drag is None and event.type in PASSED:
-            return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self._put_back()
-            self.cancel(context)
-            return {'CANCELLED'}
+    def lets_pass(self, event):
+        return self._drag is None and super().lets_pass(event)
+
+    def step(self, context, event):
         if self._drag is not None:
             return self._pull(context, event)
         if event.value == 'PRESS':
@@ -175,15 +171,12 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             return {'RUNNING_MODAL'}
         return self._grab(context, event)
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def hide(self):
         ui_state.pulled = None
+
+    def put_back(self):
         if self._drag is not None:
-            with suppress(ReferenceError):      # its area may be gone
-                self._drag.area.header_text_set(None)
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
-        redraw()
+            self._drag.held.put_back()
 
     def _aim(self, context, event):
         """Find the point at the mouse, and show it with the control points that would follow."""
@@ -263,7 +256,7 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
             ui_state.pulled = ui_state.pulled._replace(end=end, followers=points, parts=parts, lines=lines)
         except FAILURES as error:
             problem = f"  {sentence(error)}"
-        drag.area.header_text_set(self._header(drag) + problem)
+        self.write_header(drag.area, self._header(drag) + problem)
         redraw()
         return {'RUNNING_MODAL'}
 
@@ -279,13 +272,8 @@ class SPLINEWRIGHT_OT_pull_here(bpy.types.Operator):
         return words.get(self.handle, "") + ob.name
 
     def _let_go(self, context):
-        self._put_back()
         self.cancel(context)
         return self.execute(context) if any(self.vector) else {'CANCELLED'}
-
-    def _put_back(self):
-        if self._drag is not None:
-            self._drag.held.put_back()
 
 
 class _Drag:

@@ -13,7 +13,8 @@ from ...core.recipes.table import RECIPES
 from .. import edges_overlay, picking
 from ..ui_state import ui_state
 from . import from_objects, polls, reports
-from .pointing import Pointing, redraw
+from .gesture import redraw
+from .pointing import Pointing
 
 _RECIPE = RECIPES['rounded_edge']
 
@@ -61,7 +62,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         self._choose(context, ui_state.rounding.chosen ^ {ui_state.rounding.hovered})
         return {'RUNNING_MODAL'}
 
-    def modal(self, context, event):
+    def step(self, context, event):
         if event.value == 'PRESS' and event.type == 'A':
             everything = frozenset(range(1, len(ui_state.rounding.lines) + 1))
             self._choose(context, frozenset() if ui_state.rounding.chosen == everything else everything)
@@ -71,7 +72,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
                 return self._make(context)
             self.tell(context, "Click an edge first")
             return {'RUNNING_MODAL'}
-        return super().modal(context, event)
+        return super().step(context, event)
 
     def _choose(self, context, chosen):
         ui_state.rounding = ui_state.rounding._replace(chosen=chosen)
@@ -91,7 +92,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         except FAILURES as error:
             self.tell(context, sentence(error))
             return {'RUNNING_MODAL'}
-        self.cancel(context)
+        self.end(context)
         if not _is_rounded(ob):
             return {'FINISHED'}
         bpy.ops.ed.undo_push(message=self.bl_label)

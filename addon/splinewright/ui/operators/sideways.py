@@ -12,15 +12,15 @@ from ...core.base.failures import FAILURES, Refusal, sentence
 from .. import editing, picking, seeing, weight_overlay
 from ..ui_state import ui_state
 from . import reports
-from .pointing import PASSED, Typing, redraw
+from .gesture import Gesture, Typing, redraw
 
 #: With Shift a gesture is so many times slower.
 FINE = 0.1
 _KEYS = "Move: {}   |   Digits: {}   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
 
 
-class Sideways(Typing):
-    """Modal. `_moved` has the pixels of the way of the mouse, `_typed` what was typed, `_problem` why that is refused."""
+class Sideways(Typing, Gesture):
+    """`_moved` has the pixels of the way of the mouse, `_typed` what was typed, `_problem` why that is refused."""
 
     bl_options = {'REGISTER', 'UNDO', 'BLOCKING', 'GRAB_CURSOR_X'}
     works_on_nets = True
@@ -50,12 +50,8 @@ class Sideways(Typing):
         """Let the shapes have what was chosen. Raises FAILURES."""
         raise NotImplementedError
 
-    def put_back(self):
-        """Let the shapes be as they were."""
-        raise NotImplementedError
-
     def confirmed(self, context):
-        """What modal() returns when it is over and was not called off."""
+        """What step() returns when it is over and was not called off."""
         raise NotImplementedError
 
     def text(self, typed):
@@ -74,29 +70,21 @@ class Sideways(Typing):
             return reports.cancelled(self, problem)
         self._moved, self._typed, self._problem = 0.0, typed_number.Typed(), ""
         self._area, self._x = context.area, event.mouse_x
-        context.window_manager.modal_handler_add(self)
         self._follow(context, event)
-        return {'RUNNING_MODAL'}
+        return self.start(context)
 
-    def modal(self, context, event):
+    def step(self, context, event):
         if event.type == 'MOUSEMOVE':
             self._moved += (event.mouse_x - self._x) * (FINE if event.shift else 1.0)
             self._x = event.mouse_x
-        elif event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
         elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
-            self._end(context)                      # Return takes no number of which the header says why not
+            self.end(context)                       # Return takes no number of which the header says why not
             return self.confirmed(context)
-        elif not self.takes(event) and event.type in PASSED:
-            return {'PASS_THROUGH'}
         self._follow(context, event)
         return {'RUNNING_MODAL'}
 
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
-        self._end(context)
-        self.put_back()
+    def hide(self):
+        ui_state.weighing = None
 
     def _is_over(self, event):
         if self.is_drag and event.type == 'LEFTMOUSE':
@@ -115,17 +103,8 @@ class Sideways(Typing):
         region, _ = picking.view_at(event.mouse_x, event.mouse_y) or (context.region, None)
         x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
         ui_state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self.is_odd())
-        if self._area is not None:
-            self._area.header_text_set(": ".join(filter(None, (text, self._problem))))
+        self.write_header(self._area, ": ".join(filter(None, (text, self._problem))))
         context.workspace.status_text_set(_KEYS.format(*self.means))
-        redraw()
-
-    def _end(self, context):
-        ui_state.weighing = None
-        with suppress(ReferenceError):
-            if self._area is not None:
-                self._area.header_text_set(None)
-        context.workspace.status_text_set(None)
         redraw()
 
     def _take_in_hand(self, context, event):
