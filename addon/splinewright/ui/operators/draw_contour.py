@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         self._drawn = self._longer = contours.Contour()
         self._forget_typed()
         self._marks = drawing_marks.Marks(context)
-        self.start(context)
+        self.begin_modal(context)
         if self.at_once:
             self._aim(context, event)
             return self._click(context, event)

@@ -50,7 +50,7 @@ class _Pen(Gesture):
     def invoke(self, context, event):
         self._pixels, self._view, self._on_surface = [], None, self.begins_on_surface
         self._hint(context)
-        self.start(context)
+        self.begin_modal(context)
         return self._wait(context, event) if self.at_once else {'RUNNING_MODAL'}
 
     def lets_pass(self, event):

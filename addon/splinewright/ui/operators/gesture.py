@@ -42,7 +42,7 @@ class Gesture:
         """Whether an event is left to the view."""
         return event.type in PASSED
 
-    def start(self, context):
+    def begin_modal(self, context):
         """What invoke() returns."""
         context.window_manager.modal_handler_add(self)
         if self.cursor:

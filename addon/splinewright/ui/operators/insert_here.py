@@ -59,7 +59,7 @@ class ByClick(Gesture):
             return self.clicked(aimed)
         self._snaps, self._why_none = False, ""
         self._aim(context, event)
-        return self.start(context)
+        return self.begin_modal(context)
 
     def lets_pass(self, event):
         return super().lets_pass(event) and not self._turns(event)

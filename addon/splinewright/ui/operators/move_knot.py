@@ -101,7 +101,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
         self._note = ""
         self._drag, self._refused = None, ""
         context.workspace.status_text_set(_KEYS)
-        return self.start(context)
+        return self.begin_modal(context)
 
     def step(self, context, event):
         if not (self._drag or self._refused) and (str(self._typed) or abs(event.mouse_x - self._pressed) >= _STILL):

@@ -53,7 +53,7 @@ class Pointing(Gesture):
         ui_state.is_pointing = True
         self.tell(context)
         self.look(context, event)
-        return self.start(context)
+        return self.begin_modal(context)
 
     def step(self, context, event):
         is_found = event.type in ('MOUSEMOVE', 'LEFTMOUSE') and self.look(context, event)

@@ -144,7 +144,7 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
         if problem:
             return reports.cancelled(self, problem)
         self._drag = None
-        self.start(context)
+        self.begin_modal(context)
         context.workspace.status_text_set(_AIMING)
         self._aim(context, event)
         return self._grab(context, event) if self.at_once else {'RUNNING_MODAL'}

@@ -71,7 +71,7 @@ class Sideways(Typing, Gesture):
         self._moved, self._typed, self._problem = 0.0, typed_number.Typed(), ""
         self._area, self._x = context.area, event.mouse_x
         self._follow(context, event)
-        return self.start(context)
+        return self.begin_modal(context)
 
     def step(self, context, event):
         if event.type == 'MOUSEMOVE':
