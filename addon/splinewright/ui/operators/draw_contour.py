@@ -216,7 +216,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         drawn = self._drawn._replace(closed=closed, closing=self._kind if closed else contours.SEGMENT)
         if closed and not _is_possible(drawn):
             return {'RUNNING_MODAL'}    # there is no such arc
-        self.end(context)
+        self.end_modal(context)
         if len(drawn.points) < 2:
             return reports.stopped(self, "one point is no contour: click two or more")
         self.contour = contours.text_of(drawn)

@@ -125,7 +125,7 @@ class _Pen(Gesture):
 
     def _end(self, context):
         points, pixels = ui_state.drawn_stroke, self._pixels
-        self.end(context)
+        self.end_modal(context)
         length = sum((after - before).length for before, after in zip(pixels, pixels[1:]))
         if length < picking.near(_SHORTEST):
             return reports.stopped(self, _TOO_SHORT)

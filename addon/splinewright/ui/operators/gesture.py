@@ -67,9 +67,9 @@ class Gesture:
         """Call the gesture off. Also called by Blender, where another file is opened meanwhile."""
         with suppress(ReferenceError):
             self.put_back()
-        self.end(context)
+        self.end_modal(context)
 
-    def end(self, context):
+    def end_modal(self, context):
         """Leave nothing on the screen."""
         self.hide()
         with suppress(ReferenceError):      # the area may be gone

@@ -76,7 +76,7 @@ class ByClick(Gesture):
             self._tell(context)
             return {'RUNNING_MODAL'}
         aimed = ui_state.aimed
-        self.end(context)
+        self.end_modal(context)
         return self.clicked(aimed)
 
     def done_at(self, aimed, operator, **settings):

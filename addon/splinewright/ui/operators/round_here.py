@@ -92,7 +92,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         except FAILURES as error:
             self.tell(context, sentence(error))
             return {'RUNNING_MODAL'}
-        self.end(context)
+        self.end_modal(context)
         if not _is_rounded(ob):
             return {'FINISHED'}
         bpy.ops.ed.undo_push(message=self.bl_label)

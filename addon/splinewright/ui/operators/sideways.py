@@ -78,7 +78,7 @@ class Sideways(Typing, Gesture):
             self._moved += (event.mouse_x - self._x) * (FINE if event.shift else 1.0)
             self._x = event.mouse_x
         elif self._is_over(event) and (event.type == 'LEFTMOUSE' or not self._problem):
-            self.end(context)                       # Return takes no number of which the header says why not
+            self.end_modal(context)                 # Return takes no number of which the header says why not
             return self.confirmed(context)
         self._follow(context, event)
         return {'RUNNING_MODAL'}
