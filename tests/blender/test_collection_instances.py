@@ -127,7 +127,7 @@ def test_overlays_know_where_instances_are():
     for matrix in wanted:
         assert min(np.abs(matrix - other).max() for other in found) < 1e-5
     activate(third)
-    assert overlay.shapes_in_hand(bpy.context) == [] and set(overlay.shapes_seen(bpy.context)) == {ob, *rings}
+    assert overlay.active_shapes(bpy.context) == [] and set(overlay.shapes_seen(bpy.context)) == {ob, *rings}
     bpy.context.view_layer.layer_collection.children[collection.name].exclude = True
     first.hide_set(True)
     bpy.context.view_layer.update()

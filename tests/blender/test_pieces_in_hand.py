@@ -1,4 +1,4 @@
-"""The piece in hand: operators begin with it, verbs carry it along; where pieces lie in the view."""
+"""The active piece: operators begin with it, verbs carry it along; where pieces lie in the view."""
 
 from types import SimpleNamespace
 

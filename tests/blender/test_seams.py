@@ -67,7 +67,7 @@ def test_a_net_that_is_dragged_shows_what_becomes_of_the_seam():
     ob = add(pair(0.0))
     held = enter()
     before = panel.kind(surveys.survey_of(ob.data).joints[0])
-    assert overlay.shape_in_hand(held) == ob
+    assert overlay.patch_shape_of(held) == ob
     select(held, 17)
     move(0, 0, 1)
     now = surveys.survey_of(ob.data)
@@ -78,4 +78,4 @@ def test_a_net_that_is_dragged_shows_what_becomes_of_the_seam():
 
 def test_shapes_without_seams_or_patches_have_none():
     assert surveys.survey_of(add(VALUES['bezier patch']()).data).count == 0
-    assert overlay.shape_in_hand(add(VALUES['nurbs']())) is None and overlay.shape_in_hand(None) is None
+    assert overlay.patch_shape_of(add(VALUES['nurbs']())) is None and overlay.patch_shape_of(None) is None

@@ -321,16 +321,16 @@ def test_a_damaged_shape_shows_nothing_and_raises_nothing():
 
 def test_shapes_in_hand_are_the_selected_ones_and_that_whose_net_is_out():
     one, other = add(VALUES['bezier patch'](), "one"), add(VALUES['nurbs'](), "other")
-    assert overlay.shapes_in_hand(bpy.context) == [other]
+    assert overlay.active_shapes(bpy.context) == [other]
     one.select_set(True)
-    assert set(overlay.shapes_in_hand(bpy.context)) == {one, other}
+    assert set(overlay.active_shapes(bpy.context)) == {one, other}
     other.hide_set(True)
-    assert overlay.shapes_in_hand(bpy.context) == [one]
+    assert overlay.active_shapes(bpy.context) == [one]
     other.hide_set(False)
     bpy.context.view_layer.objects.active = one
     other.select_set(False)
     enter()
-    assert overlay.shapes_in_hand(bpy.context) == [one]
+    assert overlay.active_shapes(bpy.context) == [one]
     leave()
 
 

@@ -218,7 +218,7 @@ def nothing_made(switch):
 def count_drawn():
     """A function that tells how often something was drawn over shapes since it was made."""
     count, rooms = [0], [(part('ui.line_batches'), '_draw'), (part('ui.surface_shader'), 'draw'), (part('ui.legend'), 'draw'),
-                         (part('ui.analysis_overlay'), 'shapes_in_hand')]
+                         (part('ui.analysis_overlay'), 'active_shapes')]
 
     def counted(own):
         def called(*given, **more):

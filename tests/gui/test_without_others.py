@@ -1,4 +1,4 @@
-"""A net in local view has its surface there; a file that is saved in a net opens with the shape in hand; Mirror from the menu, and the
+"""A net in local view has its surface there; a file that is saved in a net opens with the shape selected; Mirror from the menu, and the
 half is pulled in its net: keys and mouse, with the sidebar closed."""
 
 import os

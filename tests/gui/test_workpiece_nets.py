@@ -1,5 +1,5 @@
 """Nets of two surfaces at once, among other objects: local view, the magnet on a corner of a cube, a row that is deleted, a point that
-cannot be, a save in the net; the file that is opened has the shape in hand, and Tab goes on. By mouse and keys."""
+cannot be, a save in the net; the file that is opened has the shape selected, and Tab goes on. By mouse and keys."""
 
 import os
 import sys
@@ -126,7 +126,7 @@ def deleted(view):
 
 
 def saved(view):
-    """In the net, by Ctrl+S; what is opened has the shape in hand."""
+    """In the net, by Ctrl+S; what is opened has the shape selected."""
     with view.override():
         bpy.ops.wm.save_as_mainfile(filepath=str(PATH))
     yield from until(in_net, "the net is there again after saving")

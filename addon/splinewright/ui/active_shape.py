@@ -1,4 +1,4 @@
-"""The shape in hand, and its pieces in hand: the numbers with which operators begin that ask for pieces of a shape."""
+"""The active shape, and its active pieces: the numbers with which operators begin that ask for pieces of a shape."""
 
 import numpy as np
 
@@ -74,7 +74,7 @@ def counted(data):
 
 
 def take(data, number, is_other=False):
-    """Take a piece in hand. One piece is not both."""
+    """Make a piece active. One piece is not both."""
     mine, others = _NAMES[::-1] if is_other else _NAMES
     setattr(settings.of(data), mine, number)
     if getattr(settings.of(data), others) == number:
@@ -82,7 +82,7 @@ def take(data, number, is_other=False):
 
 
 def keep(data, parents):
-    """After a verb, in hand is the first piece of those that came from it. parents: as of core.verbs.verbs.Changed."""
+    """After a verb, the active one is the first piece of those that came from it. parents: as of core.verbs.verbs.Changed."""
     chosen = settings.of(data)
     for name in _NAMES:
         number = getattr(chosen, name)
@@ -91,7 +91,7 @@ def keep(data, parents):
 
 
 def begin(operator, obs, nets=()):
-    """Set an operator's `piece`, where it was not given, to the piece in hand: of one shape, as several have several; and
+    """Set an operator's `piece`, where it was not given, to the active piece: of one shape, as several have several; and
     where its net is edited to the one of the selected points."""
     shapes = [ob for ob in obs if shape.has_shape(ob)]
     if len(shapes) == 1 and not operator.properties.is_property_set('piece'):
@@ -99,7 +99,7 @@ def begin(operator, obs, nets=()):
 
 
 def chosen(data, net=None):
-    """The number of the piece that has all selected points of a net, or that in hand; 0 for none."""
+    """The number of the piece that has all selected points of a net, or the active one; 0 for none."""
     of_points = pieces_of_points(net) if net else ()
     alone = of_points[0] + 1 if len(of_points) == 1 < count_of(data) else 0
     return alone or of(data)[0]

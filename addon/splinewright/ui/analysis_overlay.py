@@ -16,7 +16,7 @@ def draw_paint():
     context, chosen = bpy.context, _chosen(('deviation', 'stripes', 'curvature'))
     if chosen is not None:
         if chosen.deviation:
-            deviation_paint.draw(chosen, shapes_in_hand(context))
+            deviation_paint.draw(chosen, active_shapes(context))
         else:
             surface_paint.draw(chosen, shapes_seen(context))
 
@@ -27,7 +27,7 @@ def draw():
     if chosen is None:
         return
     if chosen.deviation:
-        deviation_paint.draw_lines(chosen, shapes_in_hand(context))
+        deviation_paint.draw_lines(chosen, active_shapes(context))
     for ob in shapes_seen(context):
         for matrix in images.of(ob, context.view_layer, context.space_data):
             with gpu.matrix.push_pop(), line_batches.nearer():
@@ -43,7 +43,7 @@ def draw_legend():
     context, chosen = bpy.context, _chosen(('deviation', 'curvature'))
     if chosen is not None:
         if chosen.deviation:
-            deviation_paint.draw_legend(context, chosen, shapes_in_hand(context))
+            deviation_paint.draw_legend(context, chosen, active_shapes(context))
         else:
             surface_paint.draw_legend(context, chosen, shapes_seen(context))
 
@@ -55,7 +55,7 @@ def _chosen(switches, is_any_on=False):
     return chosen if is_any_on and bpy.context.space_data.overlay.show_overlays else None
 
 
-def shapes_in_hand(context):
+def active_shapes(context):
     """Shapes that are selected or active, and those whose nets are out, as far as they are seen."""
     found = {ob: None for ob in (*context.selected_objects, context.object) if shape.has_shape(ob)}
     for held in editing.nets() if ui_state.nets else ():
@@ -68,8 +68,8 @@ def shapes_in_hand(context):
 
 
 def shapes_seen(context):
-    """shapes_in_hand(), and those in selected instances of collections."""
-    found = dict.fromkeys(shapes_in_hand(context))
+    """active_shapes(), and those in selected instances of collections."""
+    found = dict.fromkeys(active_shapes(context))
     for ob in context.selected_objects:
         found.update(dict.fromkeys(images.shapes_in(ob)))
     return list(found)

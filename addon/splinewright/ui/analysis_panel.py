@@ -70,7 +70,7 @@ def _draw_settings(column, chosen, names):
 
 
 def _draw_problem(layout, context, width=None):
-    said = deviations.problem(context.scene, analysis_overlay.shapes_in_hand(context)) if overlays_of(context.scene).deviation else ""
+    said = deviations.problem(context.scene, analysis_overlay.active_shapes(context)) if overlays_of(context.scene).deviation else ""
     if said:
         texts.draw_problem(layout, said, width)
 
@@ -102,8 +102,8 @@ class SPLINEWRIGHT_PT_sights(bpy.types.Panel):
 
 
 def _concerned(context):
-    """[(label, switches that show something of the shapes in hand with their settings)]; all switches where there are none."""
-    found = {object_kinds.of(ob) for ob in analysis_overlay.shapes_in_hand(context)} & object_kinds.SHAPES or object_kinds.SHAPES
+    """[(label, switches that show something of the active shapes with their settings)]; all switches where there are none."""
+    found = {object_kinds.of(ob) for ob in analysis_overlay.active_shapes(context)} & object_kinds.SHAPES or object_kinds.SHAPES
     groups = [(label, [(switch, settings) for switch, concerned, settings in switches if concerned & found])
               for label, switches in _GROUPS]
     return [(label, switches) for label, switches in groups if switches]

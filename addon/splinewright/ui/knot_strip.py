@@ -116,7 +116,7 @@ def is_on(context):
 
 def shown(context):
     """What is Shown in the 3D view at hand, or None."""
-    found = _in_hand(context) if is_on(context) else None
+    found = _active_bars(context) if is_on(context) else None
     if found is None:
         return None
     ob, (bars, number, count) = found
@@ -156,8 +156,8 @@ def pointed_at(found, region):
     return Hit(found, *pointed[2:]) if is_there else None
 
 
-def _in_hand(context):
-    """(the shape, sights.bars_of() it), or None."""
+def _active_bars(context):
+    """(the shape, overlays.bars_of() it), or None."""
     ob, net = context.object, None
     if context.mode != 'OBJECT':
         net = ob if ob in editing.nets_in_edit_mode(context) else None
@@ -172,7 +172,7 @@ def _in_hand(context):
 
 
 def _number(data, net):
-    """Of the piece in hand; what points of a net say of it is kept until that changes."""
+    """Of the active piece; what points of a net say of it is kept until that changes."""
     if net is None:
         return settings.of(data).piece
     return overlays.kept(net.data, 'active piece', (settings.of(data).piece,), lambda *_: active_shape.chosen(data, net)) or 0

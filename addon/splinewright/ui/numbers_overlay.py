@@ -12,7 +12,7 @@ from ..bridge.shape import shape
 from . import active_shape, line_batches, picking
 from .ui_state import ui_state
 
-#: Of other pieces, of those in hand, of the one at the mouse.
+#: Of other pieces, of active ones, of the one at the mouse.
 COLORS = ((1.0, 1.0, 1.0, 1.0), (1.0, 0.75, 0.2, 1.0), (0.35, 1.0, 0.5, 1.0))
 #: Of numbers that the surface hides this part is seen.
 HIDDEN = 0.3
@@ -28,7 +28,7 @@ class Numbered(NamedTuple):
 
     ob: bpy.types.Object
     numbers: tuple                      # of its pieces; 0 for none
-    marked: tuple                       # those that are in hand
+    marked: tuple                       # those that are active
 
     def text(self, i):
         """What stands at the piece of an index: its number, and that by which the last operator means it, if that is another

@@ -15,23 +15,23 @@ from .sub_panel import SidePanel
 
 class _ShapePanel:
     @staticmethod
-    def in_hand(context):
+    def active(context):
         """(a data-block or None, the object through which it is seen or None)."""
         ob = context.object
         return (ob.data if ob else None), ob
 
     @classmethod
     def poll(cls, context):
-        data, ob = cls.in_hand(context)
+        data, ob = cls.active(context)
         return net_object.is_net(ob) or shape.is_shape(data) or baking.is_baked(data)
 
     def draw_header_preset(self, context):
-        data, ob = self.in_hand(context)
+        data, ob = self.active(context)
         theme = "curves.html" if isinstance(data, bpy.types.Curve) else "surfaces.html"
         manual.draw_button(self.layout, "nets.html" if net_object.is_net(ob) else theme)
 
     def draw(self, context):
-        data, ob = self.in_hand(context)
+        data, ob = self.active(context)
         if net_object.is_net(ob):
             net_panel.draw_state(self.layout, ob)
         elif baking.is_baked(data):
@@ -112,7 +112,7 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
     bl_options = {'DEFAULT_CLOSED'}
 
     @staticmethod
-    def in_hand(context):
+    def active(context):
         """What is pinned, or else the active object's; pinned data is seen without an object."""
         ob = context.object
         data = getattr(context, 'mesh', None) or getattr(context, 'curve', None) or (ob.data if ob else None)

@@ -65,7 +65,7 @@ def _suspend(scene, layer, members):
 
 
 def _select_shapes(layer, nets):
-    """The file opens with the shapes in hand whose nets are not in it."""
+    """The file opens with the shapes whose nets were edited and are not in it."""
     owners = [owner for owner in map(net_object.shape_of, nets) if owner is not None and layer.objects.get(owner.name) == owner]
     for owner in owners:
         owner.select_set(True, view_layer=layer)

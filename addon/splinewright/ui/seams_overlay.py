@@ -1,4 +1,4 @@
-"""The seams of the patch shape in hand, colored along them by how smoothly the surface goes on."""
+"""The seams of the active patch shape, colored along them by how smoothly the surface goes on."""
 
 import bpy
 import gpu
@@ -13,7 +13,7 @@ from . import active_shape, colors, line_batches
 _WIDTH, _RIM = 4.0, 1.5
 
 
-def shape_in_hand(ob):
+def patch_shape_of(ob):
     """The patch shape that is active, or whose net is; None where there is none."""
     owner = active_shape.shape_of(ob)
     return owner if owner is not None and owner.type == 'MESH' else None
@@ -23,7 +23,7 @@ def draw():
     """Called by Blender for each 3D view."""
     if not bpy.context.space_data.overlay.show_overlays:
         return
-    ob = shape_in_hand(bpy.context.object)
+    ob = patch_shape_of(bpy.context.object)
     if ob is None or not ob.data.splinewright.show_seams or not ob.visible_get():
         return
     prepared = overlays.kept(ob.data, 'seams', tuple(colors.of_seams().values()), _strokes)

@@ -20,10 +20,10 @@ class UiState:
     was_undone: bool = False                            # whether something was since Blender drew
     status: str = ""                                    # what messages says in the status bar
     suspended: list = field(default_factory=list)       # of saving
-    was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode; of detour
+    was_in_result: bool = False                         # whether a mesh or curve of a shape was in Edit Mode
     selected_shapes: set = field(default_factory=set)   # names, at the last change; of join_notice
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of join_notice
-    errands: list = field(default_factory=list)         # of errands, and whether there were some lately
+    errands: list = field(default_factory=list)         # of main_thread, and whether there were some lately
     frame_before: tuple = ()                            # the name of the scene and its frame when undo began with a net out
     to_say: list = field(default_factory=list)          # sentences for a window, where no operator can report them
     looks_left: int = 0
@@ -33,7 +33,7 @@ class UiState:
 
     # Gestures.
     asking: set = field(default_factory=set)            # names of open dialogs that ask for a piece
-    asked: dict = field(default_factory=dict)           # of hand: what the last operator asked for pieces of
+    asked: dict = field(default_factory=dict)           # of active_shape: what the last operator asked for pieces of
     picking: dict = field(default_factory=dict)         # while a piece is picked: numbers of pieces by names of objects
     hovered: tuple = ()                                 # the name of an object and the number of its piece at the mouse
     aimed: tuple = None                                 # while a knot is inserted by a click: an aim_overlay.Aim

@@ -59,8 +59,8 @@ def _is_live(data):
 def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result=None):
     """A new object, not linked to a scene, that a recipe makes from objects; it lies in first_space(), and moves freely.
 
-    frames: as of recipes.Stored; result: of derived.result() in that space, where that is known. Raises Refusal or an error of
-    the library if it cannot be made.
+    frames: as of recipes.Stored; result: of recipe_results.result() in that space, where that is known. Raises Refusal or an
+    error of the library if it cannot be made.
     """
     first, space = next(iter(sources), None), first_space(sources, depsgraph)
     result = result or recipe_results.result(recipe, values, sources, space, frames)

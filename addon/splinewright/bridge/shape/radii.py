@@ -11,8 +11,8 @@ _SEVERAL = "{} consists of {} curves: the radius along one is followed, so join 
 
 
 def along_curve(ob, definition):
-    """The curve over the domain of the one piece of a definition, as derived.definition_of() gives it, of which x is the radius
-    that an object has there. Raises Refusal where there is none."""
+    """The curve over the domain of the one piece of a definition, as recipe_results.definition_of() gives it, of which x is
+    the radius that an object has there. Raises Refusal where there is none."""
     if not definition.has_curves:
         raise Refusal(f"{ob.name} is not a curve: it has no radius")
     if len(definition.pieces) != 1:

@@ -162,7 +162,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
 
 
 def is_possible(context):
-    """Whether a shape in hand takes knots."""
+    """Whether an active shape takes knots."""
     return any(map(active_shape.is_free, active_shape.shapes(context)))
 
 
@@ -186,7 +186,7 @@ def aimed_by_tool(context, x, y, direction, in_middle=False, dimensions=(1, 2)):
 
 
 def _meant(context):
-    """The shapes in hand that take knots, and are to be seen."""
+    """The active shapes that take knots, and are to be seen."""
     return [ob for ob in active_shape.shapes(context) if active_shape.is_free(ob) and ob.visible_get()]
 
 

@@ -37,7 +37,7 @@ class _OnPoints:
     def execute(self, context):
         done, failed = {}, {}
         frame = context.scene.frame_current_final
-        for owner, net in _in_hand(context):
+        for owner, net in _edited(context):
             try:
                 done[owner.name] = self.work(owner.data, self._rows(owner.data, net), frame)
             except FAILURES as error:
@@ -66,7 +66,7 @@ class _OnPoints:
         return sorted(rows)
 
 
-def _in_hand(context):
+def _edited(context):
     """[(shape, its net in Edit Mode or None)], one for each data-block."""
     nets = editing.nets_in_edit_mode(context)
     found = [(active_shape.shape_of(net), net) for net in nets] if nets else [(owner, None) for owner in active_shape.shapes(context)]

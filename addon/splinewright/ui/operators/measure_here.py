@@ -63,7 +63,7 @@ def take(context, ob, number, fractions):
 
 
 def _shapes(context):
-    """The shapes in hand, and the active one."""
+    """The selected shapes, and the active one."""
     active = active_shape.shape_of(context.object) if context.mode == 'OBJECT' else None
     return list({ob.name: ob for ob in (*active_shape.shapes(context), active) if ob}.values())
 

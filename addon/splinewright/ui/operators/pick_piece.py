@@ -1,4 +1,4 @@
-"""Pick a piece of a shape by a click: the piece in hand, or a number in the panel of the last operator."""
+"""Pick a piece of a shape by a click: the active piece, or a number in the panel of the last operator."""
 
 import bpy
 from bpy.props import BoolProperty, StringProperty

@@ -112,7 +112,7 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
             column.prop(self, 'parameter_v')
 
     def _owner(self, context):
-        """The shape in hand that was pulled; the active one where none was."""
+        """The active shape that was pulled; the active one where none was."""
         shapes = [ob for ob in active_shape.shapes(context) if active_shape.is_free(ob)]
         named = [ob for ob in shapes if ob.name == self.shape_name]
         active = [ob for ob in shapes if ob == active_shape.shape_of(context.object)]

@@ -95,7 +95,7 @@ def _own_item(name, operator, event):
 
 
 def _drag(context, tool, button):
-    """Begin what the user's keymaps have for a drag with a button alone, that of the tool in hand first."""
+    """Begin what the user's keymaps have for a drag with a button alone, that of the active tool first."""
     active = context.workspace.tools.from_space_view3d_mode(context.mode)
     keymaps = context.window_manager.keyconfigs.user.keymaps
     names = (f"3D View Tool: {active.idname.split('.')[-1].replace('_', ' ').title()}" if active else "", tool, "Mesh", VIEW)

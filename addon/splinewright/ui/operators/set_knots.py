@@ -39,13 +39,13 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if _shape_in_hand(context) is None:
+        if _active_shape(context) is None:
             cls.poll_message_set("Select a shape, or edit its net")
             return False
         return True
 
     def invoke(self, context, event):
-        owner = _shape_in_hand(context)
+        owner = _active_shape(context)
         active_shape.forget_asked()
         active_shape.begin(self, [owner])
         try:
@@ -61,7 +61,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 
     def check(self, context):
         """A setting was changed: with another piece or axis the text becomes the knots of that."""
-        owner = _shape_in_hand(context)
+        owner = _active_shape(context)
         if owner is None or not self._is_of_another():
             return False
         with suppress(*FAILURES):       # draw() tells of it
@@ -92,7 +92,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
             type(self)._refused = ((data.name, self._place(), now), text) if text else ((), "")
 
     def draw(self, context):
-        owner = _shape_in_hand(context)
+        owner = _active_shape(context)
         if owner is None:
             return
         definition = store.read(owner.data)
@@ -111,7 +111,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
 
     def execute(self, context):
         self.cancel(context)            # the dialog is closed
-        owner = _shape_in_hand(context)
+        owner = _active_shape(context)
         active_shape.forget_asked()
         active_shape.note(self, 'piece', owner)
         editing_nets = editing.nets_in_edit_mode(context)
@@ -136,7 +136,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
         return 'UV'.index(self.axis)
 
 
-def _shape_in_hand(context):
+def _active_shape(context):
     """The active shape, or the one whose net is active in Edit Mode."""
     ob = context.object
     if net_object.is_net(ob):

@@ -63,7 +63,7 @@ class Sideways(Typing, Gesture):
         return bool(self._problem)
 
     def invoke(self, context, event):
-        if self.at_mouse and not self._take_in_hand(context, event):
+        if self.at_mouse and not self._select_at_mouse(context, event):
             return {'PASS_THROUGH', 'CANCELLED'}
         problem = editing.unread(editing.nets_in_edit_mode(context)) or self.hold(context)
         if problem:
@@ -107,7 +107,7 @@ class Sideways(Typing, Gesture):
         context.workspace.status_text_set(_KEYS.format(*self.means))
         redraw()
 
-    def _take_in_hand(self, context, event):
+    def _select_at_mouse(self, context, event):
         """Whether there is a point at the mouse; it is selected then, alone unless it was among the selected ones."""
         area = picking.area_at(event.mouse_x, event.mouse_y)
         if area is None:
