@@ -33,6 +33,17 @@ def test_a_ridge_that_becomes_a_crossing_is_cut_there():
     assert lengths(found, "crossing") == pytest.approx(1.5, abs=1e-6)
 
 
+def test_a_crossing_along_creases_of_both_is_given_once():
+    """It was given from both sides of the creases, as long as 3.064 in all."""
+    one = terrain([[0, 1, 2, 0], [0, 0, 1, 2], [1, 2, 0, 1], [0, 0, 2, 0]])
+    other = terrain([[2, 1, 1], [2, 0, 2]])
+    pairs = ((one, other), (other, one), (one.reversed("u"), other.swapped()), (one.swapped(), other))
+    for first, second in pairs:
+        found = first.sections(second)
+        assert lengths(found, "crossing") == pytest.approx(1.5 * 2**0.5, rel=1e-4)
+        assert lengths(found, "touching") == pytest.approx(0.5**0.5, rel=1e-4)
+
+
 def test_bent_ridges_touch_a_plane(inputs):
     for seed in range(inputs(40)):
         rng = np.random.default_rng([seed, 403])

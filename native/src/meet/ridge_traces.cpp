@@ -103,7 +103,25 @@ class CreaseStep {
       : patches_(patches), step_(step), of_a_(crease_of(patches, step, tolerance, true)),
         of_b_(crease_of(patches, step, tolerance, false)) {}
 
-  const std::optional<CreaseLine>& crease() const { return of_a_ ? of_a_ : of_b_; }
+  bool is_along_crease() const { return of_a_ || of_b_; }
+
+  /// Its ends in the pieces before the creases, from the lower parameter to the higher one.
+  std::array<SectionPlace, 2> ends() const {
+    const std::size_t along = parameter();
+    std::array<SectionPlace, 2> found{step_.from, step_.to};
+    if (step_.from.at[along] > step_.to.at[along]) found = {step_.to.backwards(), step_.from.backwards()};
+    for (SectionPlace& end : found) {
+      for (const auto* crease : {&of_a_, &of_b_}) {
+        if (!*crease) continue;
+        ((*crease)->parameter < 2 ? end.at.a : end.at.b) = spot_beside(end.at, **crease, false);
+        end.slopes[(*crease)->parameter] = 0.0;
+      }
+    }
+    return found;
+  }
+
+  /// The one that goes along the crease.
+  std::size_t parameter() const { return (of_a_ ? of_a_ : of_b_)->parameter ^ 1U; }
 
   /// Whether patches touch there but do not cross.
   bool is_ridge(double s) const {
@@ -161,35 +179,42 @@ SectionTrace cut_at_changes(const TwoPatches& patches, const SectionTrace& trace
     const SectionStep step(trace.places[i], trace.places[i + 1]);
     if (!(step.length > tolerance)) continue;
     const CreaseStep along(patches, step, tolerance);
-    if (!along.crease()) continue;
+    if (!along.is_along_crease()) continue;
     for (const double s : along.changes()) found.places.push_back(place_between(step, s));
   }
   return found;
 }
 
-/// Steps along creases, each run through one way and in the pieces before it.
-class RidgeSteps {
+/// Stretches of creases, each run through one way and in the pieces before it.
+class CreaseSteps {
  public:
-  void add(const SectionStep& step, const CreaseLine& crease) {
-    const std::size_t along = crease.parameter ^ 1U;
-    std::array<SectionPlace, 2> ends{step.from, step.to};
-    if (step.from.at[along] > step.to.at[along]) ends = {step.to.backwards(), step.from.backwards()};
-    for (SectionPlace& end : ends) {
-      (crease.parameter < 2 ? end.at.a : end.at.b) = spot_beside(end.at, crease, false);
-      end.slopes[crease.parameter] = 0.0;
+  void add(const CreaseStep& step) {
+    const std::array<SectionPlace, 2> ends = step.ends();
+    steps_[line_of(step, ends)].push_back(ends);
+  }
+
+  /// Whether all of a step is there, but for what the angles at which changes are seen leave out.
+  bool hold(const CreaseStep& step) const {
+    constexpr double kNear = 0x1p-14;
+    const std::array<SectionPlace, 2> ends = step.ends();
+    const auto known = steps_.find(line_of(step, ends));
+    if (known == steps_.end()) return false;
+    const std::size_t along = step.parameter();
+    const double length = ends[1].at[along] - ends[0].at[along];
+    double left = length;
+    for (const auto& [from, to] : known->second) {
+      left -= std::max(0.0, std::min(to.at[along], ends[1].at[along]) - std::max(from.at[along], ends[0].at[along]));
     }
-    const PatchSpots& at = ends[0].at;
-    steps_[{crease.parameter, at.a.piece, at.b.piece}].push_back(ends);
+    return left < std::min(kNear, 0.25 * length);
   }
 
   std::vector<SectionTrace> traces() {
     std::vector<SectionTrace> found;
     for (auto& [line, steps] : steps_) {
-      const std::size_t along = line[0] ^ 1U;
+      const std::size_t along = line[0];
       const auto start = [&](const std::array<SectionPlace, 2>& step) { return step[0].at[along]; };
       std::ranges::stable_sort(steps, {}, start);
       for (const auto& [from, to] : steps) {
-        constexpr double kSame = 0x1p-30;
         const bool goes_on = &from != &steps.front()[0] && from.at[along] <= found.back().places.back().at[along] + kSame;
         if (!goes_on) found.push_back({{from, to}, false});
         else if (to.at[along] > found.back().places.back().at[along] + kSame) found.back().places.push_back(to);
@@ -199,7 +224,14 @@ class RidgeSteps {
   }
 
  private:
-  std::map<std::array<std::size_t, 3>, std::vector<std::array<SectionPlace, 2>>> steps_;  ///< by parameter and pieces
+  static constexpr double kSame = 0x1p-30;
+  using Line = std::array<std::size_t, 3>;  ///< the parameter along it, and the pieces before it
+
+  static Line line_of(const CreaseStep& step, const std::array<SectionPlace, 2>& ends) {
+    return {step.parameter(), ends[0].at.a.piece, ends[0].at.b.piece};
+  }
+
+  std::map<Line, std::vector<std::array<SectionPlace, 2>>> steps_;
 };
 
 /// What is left of a trace without some of its steps. One that is closed ends where it begins.
@@ -232,7 +264,8 @@ std::vector<SectionTrace> rest_of(const SectionTrace& trace, const std::vector<b
 
 SortedTraces without_ridges(const TwoPatches& patches, const std::vector<SectionTrace>& traces, double tolerance) {
   SortedTraces found;
-  RidgeSteps ridges;
+  CreaseSteps ridges;
+  CreaseSteps crossings;
   for (const SectionTrace& whole : traces) {
     const SectionTrace trace = cut_at_changes(patches, whole, tolerance);
     std::vector<bool> is_taken(trace.places.empty() ? 0 : trace.places.size() - 1, false);
@@ -240,8 +273,10 @@ SortedTraces without_ridges(const TwoPatches& patches, const std::vector<Section
       const SectionStep step(trace.places[i], trace.places[i + 1]);
       if (!step.from.has_pieces_of(step.to) || !(step.length > 0.0)) continue;
       const CreaseStep along(patches, step, tolerance);
-      is_taken[i] = along.crease() && along.is_ridge(0.5);
-      if (is_taken[i]) ridges.add(step, *along.crease());
+      if (!along.is_along_crease()) continue;
+      const bool is_ridge = along.is_ridge(0.5);
+      is_taken[i] = is_ridge || crossings.hold(along);
+      if (!is_taken[i] || is_ridge) (is_ridge ? ridges : crossings).add(along);
     }
     if (std::ranges::none_of(is_taken, [](bool is) { return is; })) {
       found.crossing.push_back(whole);

@@ -14,6 +14,7 @@ struct SortedTraces {
 };
 
 /// Takes creases along which patches but touch out of curves that run along them, on both sides of a crease, there and back.
+/// Where they cross along one it is given once, from whichever pieces beside it that was found.
 SortedTraces without_ridges(const TwoPatches& patches, const std::vector<SectionTrace>& traces, double tolerance);
 
 }  // namespace splinecore
