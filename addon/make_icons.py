@@ -131,7 +131,7 @@ def trim():
 
 
 def extend():
-    """A curve that goes on to another."""
+    """A curve that continues to another."""
     return [(line([(230, 25), (230, 230)], _THIN), _WHITE), (line(cubic((20, 60), (45, 105), (65, 120), (105, 128)), _THIN), _WHITE),
             (line([(112, 128), (175, 128)], 18), _GREEN), (head((218, 128), 0, 60), _GREEN)]
 

@@ -3,7 +3,7 @@
 A page is Markdown. On a line of its own it may say
 
     <!-- README: A section -->       to have the text of that section of the README here
-    <!-- F1: a b.c* -->              below a heading: F1 over these leads to it. a is an operator of ours, b.c a property
+    <!-- F1: a b.c* -->              below a heading: F1 over these leads to it. a is an operator of the add-on, b.c a property
                                      of a class, b alone a panel or menu; * stands for anything
 """
 
@@ -29,7 +29,7 @@ _WIDTH, _QUALITY = 960, 80
 
 
 class Broken(ValueError):
-    """A page links what is not there."""
+    """A page links a target that is not there."""
 
 
 def content():

@@ -26,7 +26,7 @@ def shapes(context):
 
 
 def is_free(ob):
-    """Whether the definition of a shape may be changed by hand: it is not linked, nor does it come of a recipe."""
+    """Whether the definition of a shape may be changed by hand: it is not linked, nor is it made by a recipe."""
     try:
         return not ob.data.library and not recipes.has(ob.data)
     except store.UnreadableDefinition:

@@ -17,7 +17,7 @@ _COLOR = (0.35, 1.0, 0.5, 1.0)
 
 
 class Aim(NamedTuple):
-    """What is at the mouse: the name of an object, the number of its piece, its parameters, and along what a patch gets
+    """The item at the mouse: the name of an object, the number of its piece, its parameters, and along what a patch gets
     a knot; or points (n, 3) of what a click would take or add."""
 
     name: str
@@ -33,7 +33,7 @@ def draw():
 
 
 def show(aimed):
-    """Draw an Aim, if there is one, into the 3D view at hand."""
+    """Draw an Aim, if there is one, into the current 3D view."""
     ob = bpy.context.view_layer.objects.get(aimed.name) if aimed else None
     if not shape.has_shape(ob):
         return

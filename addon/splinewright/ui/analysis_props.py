@@ -1,4 +1,4 @@
-"""What is drawn over shapes, as switches of the scene: each off until it is wanted, and kept with the file."""
+"""Drawings over shapes, as switches of the scene: each off until it is wanted, and kept with the file."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty

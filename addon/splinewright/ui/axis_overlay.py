@@ -44,7 +44,7 @@ def _line_of(ob):
 
 
 def _axis(stored, ob):
-    """(a point of the axis, its direction) in the space of a surface of revolution, wherever that was moved to. Raises
+    """(a point of the axis, its direction) in the space of a surface of revolution, in its present place. Raises
     Refusal."""
     frames = [frame for frame in stored.frames if frame]
     space = placing.now(ob.data, ob, (*stored.sources, *frames), bpy.context.evaluated_depsgraph_get())

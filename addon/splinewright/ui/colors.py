@@ -1,4 +1,4 @@
-"""The colors of what is drawn over the 3D view, as the preferences have them."""
+"""The colors of drawings over the 3D view, as the preferences have them."""
 
 import bpy
 
@@ -54,7 +54,7 @@ def of_seams():
 
 
 def draw_legend(layout):
-    """The colors of seams and what they mean, where Blender has preferences of ours."""
+    """The colors of seams and what they mean, where Blender has the add-on's preferences."""
     wanted = preferences.get()
     if isinstance(wanted, bpy.types.AddonPreferences):
         grid = layout.grid_flow(columns=2, even_columns=True, align=True)

@@ -1,4 +1,4 @@
-"""How smoothly a shape goes on, curves at their joints and patches at their seams, in the sidebar."""
+"""How smoothly a shape continues, curves at their joints and patches at their seams, in the sidebar."""
 
 import math
 

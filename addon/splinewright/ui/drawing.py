@@ -1,4 +1,4 @@
-"""What is drawn over 3D views, in the order in which it lies there."""
+"""Drawings over 3D views, in the order in which they lie there."""
 
 import bpy
 

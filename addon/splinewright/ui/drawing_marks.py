@@ -1,4 +1,4 @@
-"""What drawing snaps to: marks of the curves that are shown, and of what is drawn."""
+"""What drawing snaps to: marks of the curves that are shown, and of the drawing."""
 
 import numpy as np
 
@@ -20,7 +20,7 @@ class Marks:
         self._known = self._found = snap_marks.of_segments(self._segments)
 
     def begin_at(self, drawn):
-        """A point was added to what is drawn, or taken back."""
+        """A point was added to the drawing, or taken back."""
         try:
             own = snap_marks.segments(contours.parts_of(drawn)) if len(drawn.points) > 1 else []
         except FAILURES:

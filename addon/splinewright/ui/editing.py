@@ -33,7 +33,7 @@ def why_not(ob):
 
 
 def nets():
-    """All net objects of the file that the last scan or an operator told of."""
+    """All net objects of the file that the last scan or an operator reported."""
     found = _known_nets()
     if not all(_is_out(ob) for ob in found):
         find_nets()                     # one was renamed or removed
@@ -285,7 +285,7 @@ def _sweep(ob):
 
 
 def _to_object_mode(ob):
-    """Leave Sculpt Mode and the like by a step of its own, or undo would look for the net there."""
+    """Leave Sculpt Mode and the like by a separate step, or undo would look for the net there."""
     layer = bpy.context.view_layer
     if not _is_in(layer, ob):
         return False

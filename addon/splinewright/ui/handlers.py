@@ -204,7 +204,7 @@ def _show_frame(changed, depsgraph):
 def _evaluate(depsgraph):
     """What other add-ons changed since Blender evaluated the frame counts, too. It evaluates that after all handlers.
 
-    Not where a render goes on from the frame before: it would not learn what changed. There the shapes are late by a frame.
+    Not where a render continues from the frame before: it would not learn what changed. There the shapes are late by a frame.
     """
     if main_thread.is_main_thread() and depsgraph == bpy.context.evaluated_depsgraph_get():
         return                          # that has done it, where there was anything to do
@@ -213,7 +213,7 @@ def _evaluate(depsgraph):
 
 
 def _come_back():
-    """A render or an export is over; views show the frame at hand."""
+    """A render or an export is over; views show the current frame."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     follow.refresh_all(keyed.show({*bpy.data.meshes, *bpy.data.curves}, depsgraph), depsgraph)
     if ui_state.missed:
@@ -261,7 +261,7 @@ def _is_alone(changed):
 
 
 def _is_idle():
-    """Whether no operator is in the middle of something: one has ended since Blender told of a change or drew, or is
+    """Whether no operator is in the middle of something: one has ended since Blender reported a change or drew, or is
     repeated with other settings, which undo comes before."""
     return bpy.app.background or ui_state.was_undone or ended_operators() != state.seen
 

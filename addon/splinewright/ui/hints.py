@@ -20,7 +20,7 @@ _WORDS_ON_STRIP = {"splinewright.insert_on_strip": "twice: Insert Knot", "spline
 
 
 def shown_keys(context):
-    """[(icons of keys, words)] for what is at hand; none while something else is going on."""
+    """[(icons of keys, words)] for the current state; none while something else is happening."""
     if not preferences.get().show_hints or ui_state.status or _is_busy(context.window):
         return []
     if ui_state.pointed_knot and overlays_of(context.scene).strip:
@@ -46,20 +46,20 @@ def _known(words, *rooms):
 
 
 def redraw(context):
-    """Blender draws the status bar anew where its text is set."""
+    """Blender draws the status bar again where its text is set."""
     for window in context.window_manager.windows:
         if not _is_busy(window):        # a gesture says what its keys do
             window.workspace.status_text_set(ui_state.status or None)
 
 
 def follow_tools():
-    """Have the status bar drawn anew where another tool is chosen. Blender forgets this when a file is opened."""
+    """Have the status bar drawn again where another tool is chosen. Blender forgets this when a file is opened."""
     bpy.msgbus.clear_by_owner(_owner)
     bpy.msgbus.subscribe_rna(key=(bpy.types.WorkSpace, 'tools'), owner=_owner, args=(), notify=lambda: redraw(bpy.context))
 
 
 def say_stopped():
-    """Let the status bar be drawn anew where what stopped following is another; while a gesture is under way, later."""
+    """Let the status bar be drawn again where what stopped following is another; while a gesture is under way, later."""
     windows = list(bpy.context.window_manager.windows)
     wanted = tuple(stopped.in_status(window.view_layer) for window in windows)
     if wanted != ui_state.stopped and (any(wanted) or any(ui_state.stopped)) and not any(map(_is_busy, windows)):

@@ -18,7 +18,7 @@ _WORDS = ("Blender's Join made plain faces or points of them. Undo brings the de
 
 @persistent
 def updated(scene, depsgraph):
-    """Compare, and look at what is selected now."""
+    """Compare, and look at the selection now."""
     if bpy.app.background or bpy.context.mode != 'OBJECT' or not depsgraph.id_type_updated('SCENE'):
         return
     if _is_new_join():

@@ -53,7 +53,7 @@ def of_user():
 
 
 def of_strip(config):
-    """The keymap for the knot strip of a configuration. Items of the add-on's own stay where Blender reads its keys anew;
+    """The keymap for the knot strip of a configuration. Items of the add-on stay where Blender reads its keys again;
     Blender counts those of which the default one has the map, too."""
     return config.keymaps.new(name=STRIP, space_type='VIEW_3D', region_type='WINDOW')
 

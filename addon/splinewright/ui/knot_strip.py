@@ -97,7 +97,7 @@ class Moved(NamedTuple):
 
 
 class Pointed(NamedTuple):
-    """What is at the mouse."""
+    """The item at the mouse."""
 
     region: int                         # as_pointer()
     data: str                           # the name of a data-block
@@ -107,7 +107,7 @@ class Pointed(NamedTuple):
 
 
 def is_on(context):
-    """Whether the strip is wanted in the 3D view at hand: where that shows no gizmos, the mouse does not reach it."""
+    """Whether the strip is wanted in the current 3D view: where that shows no gizmos, the mouse does not reach it."""
     space = context.space_data
     if space is None or space.type != 'VIEW_3D' or not overlays_of(context.scene).strip:
         return False
@@ -115,7 +115,7 @@ def is_on(context):
 
 
 def shown(context):
-    """What is Shown in the 3D view at hand, or None."""
+    """What is Shown in the current 3D view, or None."""
     found = _active_bars(context) if is_on(context) else None
     if found is None:
         return None
@@ -128,7 +128,7 @@ def shown(context):
 
 
 def hit(context, x, y):
-    """The Hit at a pixel of the region at hand, or None beside the strip."""
+    """The Hit at a pixel of the current region, or None beside the strip."""
     found = shown(context)
     axis = next((i for i, box in enumerate(found.boxes) if box.has(x, y)), None) if found else None
     if axis is None:

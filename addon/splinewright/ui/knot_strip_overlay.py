@@ -86,7 +86,7 @@ def _draw_at_mouse(hit):
 
 
 def top(context):
-    """Up to where a strip reaches in the view at hand; 0 where there is none."""
+    """Up to where a strip reaches in the current view; 0 where there is none."""
     found = strip.shown(context)
     return found.box.top if found else 0.0
 

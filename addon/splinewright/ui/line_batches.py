@@ -17,7 +17,7 @@ _NEARER = 2e-3
 
 
 class Stroke(NamedTuple):
-    """Lines or points that are drawn alike, but for colors of their own."""
+    """Lines or points that are drawn alike, but for their own colors."""
 
     batch: gpu.types.GPUBatch
     is_lines: bool
@@ -65,7 +65,7 @@ def _arrow(foot, head):
 
 @contextmanager
 def nearer(part=1.0):
-    """While this is drawn in the 3D view at hand, the surface on which it lies does not hide it; nor what is drawn by a
+    """While this is drawn in the current 3D view, the surface on which it lies does not hide it; nor what is drawn by a
     smaller part of that nearer."""
     with gpu.matrix.push_pop_projection():
         distance = bpy.context.region_data.view_distance

@@ -1,6 +1,6 @@
 """What other threads leave to the main one.
 
-Blender renders from the window in a thread of its own, which calls the handlers of frames while the main thread draws
+Blender renders from the window in a separate thread, which calls the handlers of frames while the main thread draws
 from the same data-blocks. So geometry is written in the main thread alone, and the render waits meanwhile.
 """
 

@@ -1,4 +1,4 @@
-"""The manual that lies in the zip: F1 over what is ours, and buttons that open it. It works without the native library."""
+"""The manual that lies in the zip: F1 over the add-on, and buttons that open it. It works without the native library."""
 
 import functools
 import json

@@ -40,7 +40,7 @@ def draw_words():
 
 
 def show_all(shown):
-    """Draw a Measured into the 3D view at hand, arms and words."""
+    """Draw a Measured into the current 3D view, arms and words."""
     _show_arms(shown)
     region = bpy.context.region
     scale = Matrix.Diagonal((2 / region.width, 2 / region.height, 1, 1))

@@ -7,7 +7,7 @@ from . import active_shape, editing, menu_table, object_kinds, offered
 
 
 def _draw_menu(layout, menu, context):
-    """What of a menu concerns what is selected, or all of it where nothing of ours is; what would be refused is gray."""
+    """What of a menu concerns the selection, or all of it where nothing of the add-on is; what would be refused is gray."""
     layout.operator_context = 'INVOKE_REGION_WIN'
     drawn, is_parted = 0, False
     for entry in menu.entries:

@@ -8,7 +8,7 @@ _SIZE, _LINE, _BESIDE = 15, 20, 18
 
 
 def draw(x, y, lines, color):
-    """At a pixel of the window, in the region at hand, the last line beside it and the others above."""
+    """At a pixel of the window, in the current region, the last line beside it and the others above."""
     region, scale = bpy.context.region, bpy.context.preferences.system.ui_scale
     blf.size(0, _SIZE * scale)
     blf.enable(0, blf.SHADOW)

@@ -82,7 +82,7 @@ def draw_outline():
 
 
 def show_sides(sides):
-    """Draw sides of patches, (object's name, number, side) each, into the 3D view at hand."""
+    """Draw sides of patches, (object's name, number, side) each, into the current 3D view."""
     for name, number, side in sides:
         _draw_lines(name, lambda data: surveys.sides_of(data)[number - 1].get(side, []))
 
@@ -130,7 +130,7 @@ def _draw_numbers(context, numbered, points):
 
 
 def hidden_ones(context, ob, points):
-    """(n,) bool: which points lie behind the surface itself, seen in the view at hand."""
+    """(n,) bool: which points lie behind the surface itself, as the current view shows them."""
     space, none = context.space_data, np.zeros(len(points), bool)
     if ob.type != 'MESH' or len(ob.data.polygons) > _MOST_FACES or ob.mode != 'OBJECT':
         return none

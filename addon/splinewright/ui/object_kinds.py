@@ -1,4 +1,4 @@
-"""What is selected, of what menus and panels concern."""
+"""The selected objects, of the kinds that menus and panels concern."""
 
 from ..bridge.edit import baking
 from ..bridge.shape import shape

@@ -1,4 +1,4 @@
-"""What is worked out to be drawn over an object, kept until Blender tells of any change, or anything of ours is written."""
+"""What is worked out to be drawn over an object, kept until Blender tells of any change, or anything of the add-on is written."""
 
 import bpy
 
@@ -6,7 +6,7 @@ from ..bridge.data.file_state import state
 
 
 def kept(what, ob, make):
-    """What make(ob) gave in the view layer at hand since the last change."""
+    """What make(ob) gave in the current view layer since the last change."""
     name = what, ob.as_pointer(), bpy.context.view_layer.as_pointer()
     if name not in state.overlaid:
         state.overlaid[name] = make(ob)

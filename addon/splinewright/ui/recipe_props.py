@@ -57,7 +57,7 @@ def _updater(recipe, parameter):
 
 
 def _change(data, name, value):
-    """Change a parameter. Where nothing comes of it the property shows again what it did."""
+    """Change a parameter. Where nothing results the property shows again what it did."""
     try:
         if value != recipes.parameters(data)[name]:
             keyed.set_parameters(data, {name: value})

@@ -1,4 +1,4 @@
-"""The seams of the active patch shape, colored along them by how smoothly the surface goes on."""
+"""The seams of the active patch shape, colored along them by how smoothly the surface continues."""
 
 import bpy
 import gpu

@@ -121,7 +121,7 @@ def _hidden(context, seen):
 
 
 def _places(context, seen, behind):
-    """(n, 2) of floats: where the middles of the numbers stand, so many pixels behind where curves start."""
+    """(n, 2) of floats: where the middles of the numbers stand, a given number of pixels behind where curves start."""
     feet, heads = (picking.on_screen(context.region, context.region_data, np.eye(4), points) for points in (seen.feet, seen.heads))
     along = heads - feet
     length = np.linalg.norm(along, axis=1, keepdims=True)

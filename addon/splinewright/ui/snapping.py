@@ -1,4 +1,4 @@
-"""Where a gesture of ours snaps to, as the magnet in the header says."""
+"""Where a gesture of the add-on snaps to, as the magnet in the header says."""
 
 import bpy
 import numpy as np

@@ -1,4 +1,4 @@
-"""What can be made of what is selected, or anew, in the sidebar: there is something to do in every state."""
+"""What can be made of the selection, or from nothing, in the sidebar: there is something to do in every state."""
 
 import bpy
 

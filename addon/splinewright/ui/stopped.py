@@ -1,4 +1,4 @@
-"""What is made from other objects and stopped following them: said at the object in the 3D views, and in the status bar."""
+"""Shapes made from other objects that stopped following them: said at the object in the 3D views, and in the status bar."""
 
 import textwrap
 

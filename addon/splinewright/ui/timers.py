@@ -1,4 +1,4 @@
-"""Functions that are called outside of what goes on at the moment. In background Blender never calls them."""
+"""Functions that are called outside of the present call. In background Blender never calls them."""
 
 import bpy
 
@@ -10,7 +10,7 @@ def soon(function):
 
 
 def later(function, seconds):
-    """Call a function when nobody has asked for it for so many seconds."""
+    """Call a function when nobody has asked for it for a given number of seconds."""
     call_off(function)
     bpy.app.timers.register(function, first_interval=seconds)
 

@@ -1,4 +1,4 @@
-"""Tools of ours in the toolbar of 3D views, while there is something for them to be used on."""
+"""Tools of the add-on in the toolbar of 3D views, while there is something for them to be used on."""
 
 from pathlib import Path
 
@@ -85,14 +85,14 @@ class _Section:
 
 
 def _is_wanted(context, mode):
-    """Whether tools of ours have something to be used on; one that is in use is shown wherever it is."""
+    """Whether tools of the add-on have something to be used on; the one in use is always shown."""
     if mode == 'OBJECT' and active_shape.shapes(context) or mode != 'OBJECT' and editing.nets_in_edit_mode(context):
         return True
     return active(context) is not None
 
 
 def active(context):
-    """The Tool of ours that is in use, or None."""
+    """The Tool of the add-on that is in use, or None."""
     if context.workspace is None:
         return None
     found = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
@@ -100,7 +100,7 @@ def active(context):
 
 
 def is_active(context, name):
-    """Whether a tool of ours is the one in use."""
+    """Whether a tool of the add-on is the one in use."""
     found = active(context)
     return found is not None and found.name == name
 

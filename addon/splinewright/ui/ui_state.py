@@ -1,6 +1,6 @@
-"""What the user interface remembers of the open file: gestures that go on, and what it looked at last.
+"""What the user interface remembers of the open file: gestures under way, and what it looked at last.
 
-As bridge.data.file_state: all of it is worked out anew where it is missing, and forgotten when another file is opened.
+As bridge.data.file_state: all of it is worked out again where it is missing, and forgotten when another file is opened.
 """
 
 from dataclasses import dataclass, field, fields

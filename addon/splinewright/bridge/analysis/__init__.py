@@ -1,1 +1,1 @@
-"""What is measured of shapes and shown over them, kept until they change."""
+"""Measures of shapes that are shown over them, kept until they change."""

@@ -1,4 +1,4 @@
-"""Objects to which distances are measured: Blender's own by the faces, edges or points of what is shown of them, shapes
+"""Objects to which distances are measured: Blender's own by the faces, edges or points that are shown of them, shapes
 by themselves."""
 
 from dataclasses import dataclass
@@ -75,7 +75,7 @@ class Target:
 
 
 def of(ob):
-    """The Target of an object, its Geometry made anew when it changed. Raises FAILURES where there is nothing to measure
+    """The Target of an object, its Geometry made again when it changed. Raises FAILURES where there is nothing to measure
     to."""
     if ob.type not in TYPES:
         raise Refusal(f"{ob.name} has no surface and no lines: choose a mesh or a curve")

@@ -88,5 +88,5 @@ def faces_of(data, value=None):
 
 
 def isocurves_of(data, count):
-    """(n, 2, 3): so many lines in every span of patches."""
+    """(n, 2, 3): a given number of lines in every span of patches."""
     return lines.isocurves(sewing.patches_of(store.read(data)), count)

@@ -113,7 +113,7 @@ def moved_of(data, matrix):
 
 
 def whole_soon(data, matrix, seconds):
-    """The core.analysis.measured.Whole of it where that is known, or found in so many seconds, which a panel has; None where it takes
+    """The core.analysis.measured.Whole of it where that is known, or found in the seconds that a panel has; None where it takes
     longer, until keep_whole(). Raises as moved_of() does."""
     key = _key(data, matrix)
     if key not in state.wholes:
@@ -130,7 +130,7 @@ def keep_whole(data, matrix, whole):
 
 
 def place_of(data, matrix, number, fractions, seconds):
-    """core.analysis.measured.at_parameter() of a piece, by its number from 0, without what takes longer than so many seconds. The last
+    """core.analysis.measured.at_parameter() of a piece, by its number from 0, without what takes longer than these seconds. The last
     one is kept."""
     key = *_key(data, matrix), number, fractions
     if state.place[0] != key:

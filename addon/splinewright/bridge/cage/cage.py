@@ -97,7 +97,7 @@ def _numbers(vertices, net):
 
 
 def runs(mesh, net, found):
-    """The one core.net.cage.Cage of a Mesh. found: (n,) of each vertex of the net the slot of its own, or -1."""
+    """The one core.net.cage.Cage of a Mesh. found: (n,) of each vertex of the net its slot, or -1."""
     vertices = _Vertices(mesh)
     numbers, carried = _numbers(vertices, net), vertices.values('INT', NUMBER)
     is_own = np.zeros(len(numbers), bool)

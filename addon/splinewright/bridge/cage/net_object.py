@@ -1,7 +1,7 @@
 """The net as a Blender object: a Mesh cage or a Curve, made when editing starts and gone when it ends.
 
 The net's data-block keeps the definition it was made from, the object points to its shape. Both survive undo and saving,
-so that a net means the same whenever it is read. This is the one door to what is stored of a net: what it gives is valid,
+so that a net means the same whenever it is read. This is the one door to the stored data of a net: what it gives is valid,
 and anything else that may be stored is refused with a sentence.
 """
 
@@ -26,7 +26,7 @@ SHAPE = "splinewright_shape"
 
 
 class DamagedNet(Refusal):
-    """What is stored of a net is damaged."""
+    """The stored net is damaged."""
 
 
 def damaged(reason):
@@ -173,7 +173,7 @@ def _definition_of(shape):
 
 
 def stored(data):
-    """What is stored of a net, by name; {} where that is nothing that has names."""
+    """The stored data of a net, by name; {} where that has no names."""
     group = data.get(KEY)
     return group if store.is_group(group) else {}
 

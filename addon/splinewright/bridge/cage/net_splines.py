@@ -239,7 +239,7 @@ def _types(point):
 
 
 def _set_types(point, letters):
-    """Blender computes all handles of the spline anew where one is given another type."""
+    """Blender computes all handles of the spline again where one is given another type."""
     for name, now, letter in zip(('handle_left_type', 'handle_right_type'), _types(point), letters):
         if letter != now:
             setattr(point, name, handles.NAMES[letter])
@@ -289,7 +289,7 @@ def _links(curve):
 
 
 def flags(curve):
-    """(m,) bool: what is selected, by its slot."""
+    """(m,) bool: the selection, by its slot."""
     found = [np.empty(0, bool)]
     for spline in curve.splines:
         columns = []

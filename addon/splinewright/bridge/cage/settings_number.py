@@ -19,7 +19,7 @@ def make(data):
 
 
 def read(ob):
-    """The number that a net carries; one that is none of ours where it carries none."""
+    """The number that a net carries; one that is not one of the add-on's where it carries none."""
     if ob.type == 'CURVE':
         return ob.data.splines[0].resolution_v if len(ob.data.splines) else 0
     if ob.mode == 'EDIT':

@@ -48,7 +48,7 @@ def of(spline):
 
 
 def fractions(count, closed):
-    """Where so many points lie, for Layers.there(): evenly."""
+    """Where a given number of points lie, for Layers.there(): evenly."""
     return np.linspace(0.0, 1.0, count + 1)[:-1] if closed else np.linspace(0.0, 1.0, count)
 
 

@@ -1,6 +1,6 @@
 """What Splinewright remembers of the open file beside what the file says itself.
 
-All of it is worked out anew where it is missing, and forgotten when another file is opened: it holds no truth.
+All of it is worked out again where it is missing, and forgotten when another file is opened: it holds no truth.
 """
 
 from dataclasses import dataclass, field, fields

@@ -16,7 +16,7 @@ def has(data):
 
 
 def read(data, definition=None):
-    """The Helds of a shape. Raises UnreadableDefinition where what is stored is none. definition: of the shape, where it is
+    """The Helds of a shape. Raises UnreadableDefinition where the stored data is none. definition: of the shape, where it is
     known."""
     if not has(data):
         return ()

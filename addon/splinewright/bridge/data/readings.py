@@ -27,7 +27,7 @@ class Reading:
 
     @cached_property
     def digest(self):
-        """What differs wherever contents differ."""
+        """What differs where contents differ."""
         found = hashlib.blake2b(digest_size=16)
         for name in _NAMES:
             value = self.contents.get(name)

@@ -48,7 +48,7 @@ def assign(owner, key, value):
 
 
 def overwrite(owner, key, values):
-    """assign() (n,) float64, in what is there where that is as many: to make it anew takes longer than a step of a drag may."""
+    """assign() (n,) float64, in what is there where that is as many: to make it again takes longer than a step of a drag may."""
     there = owner.get(key)
     if getattr(there, 'typecode', None) == 'd' and len(there) == len(values):
         numbers = np.asarray(there)
@@ -71,7 +71,7 @@ def _tell(data):
 
 
 def digest(data):
-    """What differs wherever definitions differ, for use as a key. Raises UnreadableDefinition where none can be told."""
+    """What differs where definitions differ, for use as a key. Raises UnreadableDefinition where none can be told."""
     return reading(data).digest
 
 
@@ -88,7 +88,7 @@ def _group(data):
 
 
 def is_group(stored):
-    """Whether what is stored has keys of its own; a data-block that is pointed to is none."""
+    """Whether what is stored has its own keys; a data-block that is pointed to is none."""
     return isinstance(stored, IDPropertyGroup)
 
 

@@ -55,7 +55,7 @@ def name():
 
 @cache
 def point_shader():
-    """The name of the shader for points: 5.2.2 has one of its own, 4.3.2 has not. Needs a window."""
+    """The name of the shader for points: 5.2.2 has a separate one, 4.3.2 has not. Needs a window."""
     try:
         gpu.shader.from_builtin('POINT_UNIFORM_COLOR')
     except ValueError:

@@ -1,4 +1,4 @@
-"""Curves of a patch shape as shapes of their own."""
+"""Curves of a patch shape as separate shapes."""
 
 import bpy
 import numpy as np

@@ -92,7 +92,7 @@ def join_changed(active, others, change):
 
 
 def join_patches(active, other, first, second, smoothness, moves):
-    """join() of two patch shapes in which a side of one goes on as a side of the other; of the active shape alone
+    """join() of two patch shapes in which a side of one continues as a side of the other; of the active shape alone
     where the other is None.
 
     Returns the core.joints.patch_joints.Joined. Raises, and changes nothing, as join() and core.joints.patch_joints.joined() do.

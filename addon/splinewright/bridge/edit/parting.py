@@ -1,4 +1,4 @@
-"""Pieces of a shape are deleted, or become shapes of their own."""
+"""Pieces of a shape are deleted, or become separate shapes."""
 
 from ...core.base.failures import Refusal
 from ...core.verbs import verbs

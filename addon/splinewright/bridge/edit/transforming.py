@@ -59,7 +59,7 @@ def _require_no_keys(data):
 
 
 def _rest(matrix, location, rotation, scale):
-    """What is left of a transform when parts of it are taken out. Raises Refusal for a scale of 0."""
+    """The rest of a transform when parts of it are taken out. Raises Refusal for a scale of 0."""
     offset, turn, size = matrix.decompose()
     if min(map(abs, size)) == 0.0:
         raise Refusal("it has a scale of 0, which would flatten the shape for ever")

@@ -180,7 +180,7 @@ def sweep(data):
 
 
 def tell_lost(data, count):
-    """Keep for the next report that keys of so many points went."""
+    """Keep for the next report that keys of this number of points went."""
     if count:
         state.lost_keys.append(f"{data.name}: the keys of {_points(count)} went, which became others or are gone")
 

@@ -60,7 +60,7 @@ class Layer(NamedTuple):
 
 
 def ours(mesh, name, data_type, domain):
-    """The attribute of ours of that name, or None; one of another type is a user's."""
+    """The attribute of the add-on of that name, or None; one of another type is a user's."""
     attribute = mesh.attributes.get(name)
     is_ours = attribute is not None and (attribute.data_type, attribute.domain) == (data_type, domain)
     return attribute if is_ours else None
@@ -202,7 +202,7 @@ def is_possible(layer):
 
 
 def is_dropped_where_empty(layer):
-    """Whether Blender drops the Layer, leaving Edit Mode say, where no edge has it."""
+    """Whether Blender drops the Layer, for example on leaving Edit Mode, where no edge has it."""
     return layer.data_type == 'FIELD' or layer.name.endswith('uv_seam')
 
 

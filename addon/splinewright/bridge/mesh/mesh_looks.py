@@ -49,7 +49,7 @@ def _material_indices(mesh):
 
 
 def _smooth(mesh):
-    """(faces,): where these are attributes, what is not smooth is marked."""
+    """(faces,): where these are attributes, faces that are not smooth are marked."""
     if not versions.marks_are_attributes:
         return mesh_layers.read(mesh.polygons, 'use_smooth', 1, bool)[:, 0]
     sharp = mesh_layers.column(mesh, 'polygons', '', 'sharp_face', bool)

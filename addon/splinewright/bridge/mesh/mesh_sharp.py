@@ -1,4 +1,4 @@
-"""Sharp edges: those of the surface, which are marked anew each time, and a user's, which stay."""
+"""Sharp edges: those of the surface, which are marked again each time, and a user's, which stay."""
 
 import numpy as np
 

@@ -57,7 +57,7 @@ def become_surface(context, ob, surface):
 
 
 def _become(context, ob, stand_in, target, data):
-    """The stand-in, with next to nothing in it, is what Blender converts."""
+    """The stand-in, with almost nothing in it, is what Blender converts."""
     slots = [(slot.link, slot.material) for slot in ob.material_slots]
     keeper = ob.copy()              # of the modifiers: converting takes them away
     try:

@@ -1,4 +1,4 @@
-"""For operators of Blender that work on what is selected: one object alone, and everything as it was afterwards."""
+"""For operators of Blender that work on the selection: one object alone, and everything as it was afterwards."""
 
 from contextlib import contextmanager
 
@@ -56,7 +56,7 @@ def _is_alive(ob):
 
 @contextmanager
 def linked(context, ob):
-    """An object of ours in the scene for a moment, selected and active beside what is selected."""
+    """An object of the add-on in the scene for a moment, selected and active beside the selection."""
     context.scene.collection.objects.link(ob)
     context.view_layer.update()
     try:

@@ -42,7 +42,7 @@ def _fill(data, counts):
 
 
 def _add_run(data, u, v, count):
-    """Add so many splines of u x v points."""
+    """Add this number of splines of u x v points."""
     first = len(data.splines)
     _select(data, [])
     _add_one(data, u, v)

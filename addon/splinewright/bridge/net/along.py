@@ -54,7 +54,7 @@ class Gesture:
                       for piece in self._points}
 
     def _held_of(self, piece, curve, layers, lines):
-        """(where it is told of, the core.net.along.Held) of Layers of a piece."""
+        """(where it is reported, the core.net.along.Held) of Layers of a piece."""
         steps = tessellate.steps_of(self.data, curve)
         at = np.concatenate([along.places(self._definition, piece, curve, steps), *(line.at for line in lines)])
         at = np.union1d(layers.at, at[(at >= layers.at[0]) & (at <= layers.at[-1])])

@@ -1,6 +1,6 @@
 """A net gains and loses points in Blender's Edit Mode, of patches whole rows: net and shape take up what became of them.
 
-The points get the numbers of the stage that comes of it, and but for points that are being appended the places that they
+The points get the numbers of the stage that results, and but for points that are being appended the places that they
 have in it: a knot that was inserted moves its neighbors.
 """
 
@@ -15,7 +15,7 @@ from . import stages
 
 
 class Phase(IntEnum):
-    """What goes on while a net is read."""
+    """What happens while a net is read."""
 
     BUSY = 0                            # an operator may go on moving points by itself
     TOLD = 1                            # Blender tells of what has ended: nothing may be made in a cage

@@ -19,7 +19,7 @@ from . import keyed_net
 
 
 def set_parameters(data, changes, depsgraph=None):
-    """Change parameters of a recipe by name. Raises, and changes nothing, where nothing comes of it."""
+    """Change parameters of a recipe by name. Raises, and changes nothing, where nothing results."""
     if recipes.follows(data):
         follow.set_parameters(data, changes, depsgraph or bpy.context.evaluated_depsgraph_get())
     else:

@@ -1,6 +1,6 @@
 """A shape follows its net: read the net, write what moved, at every step of a drag.
 
-What the net says is worked out anew each time from the net and its baseline alone, so that undo,
+What the net says is worked out again each time from the net and its baseline alone, so that undo,
 redo and reopening need no care.
 """
 
@@ -41,7 +41,7 @@ _WAITS = "the shape takes up the new rows when the slide has ended"
 
 
 class Session:
-    """What is worked out once for a net. Rebuilt at will: it holds no truth of its own."""
+    """What is worked out once for a net. Rebuilt at will: it holds no truth."""
 
     def __init__(self, net):
         self.made_with = net
@@ -70,7 +70,7 @@ class Session:
         self.take(exact_net.exact(net, net.single, net.single_weights), np.arange(len(net.rows)))
 
     def take_stage(self, stage):
-        """Take this for the stage of the net that is at hand."""
+        """Take this for the current stage of the net."""
         self.stage = stage
         self.faces = self._moved = None
         self.placed = holding.Placed()
@@ -118,7 +118,7 @@ class Session:
         self.faces, self._fineness, self.stamp = faces, tessellate.of(data), store.read_stamp(data)
 
     def settings(self, number, present):
-        """What a number in the net stands for: from now on the present values, where it is new or none of ours."""
+        """What a number in the net stands for: from now on the present values, where it is new or not one of the add-on's."""
         return present if number < settings_number.FIRST else self._settings.setdefault(number, present)
 
     def number_of(self, values):

@@ -75,7 +75,7 @@ def _clear_frame(data, item, frame):
 def put(data, row, place, weight):
     """Move a point by hand to what an item says, other than the shape has it in float32; keys hold from the next frame on.
 
-    Raises Refusal or an error of the library, and changes nothing, where nothing comes of it.
+    Raises Refusal or an error of the library, and changes nothing, where nothing results.
     """
     require_free(data)
     definition = store.read(data)

@@ -1,7 +1,7 @@
 """What a net became each time that it gained or lost points: its stages.
 
 The points carry the numbers of the stage they are of, so that Edit Mode's undo brings that back with them. Stages are kept
-beside the net and never go; the first is what the net was made from. This is the one door to what is stored of them.
+beside the net and never go; the first is what the net was made from. This is the one door to the stored data of them.
 """
 
 import hashlib
@@ -68,7 +68,7 @@ def _decoded(data, first, group):
 
 
 def keep(data, stages):
-    """Store what is not stored of these Stages: undo outside of Edit Mode takes away what was stored since."""
+    """Store what is not stored yet of these Stages: undo outside of Edit Mode takes away what was stored since."""
     group = data[net_object.KEY].get(_STAGES)
     names = group.keys() if store.is_group(group) else ()
     missing = [stage for first, stage in stages.items() if first and str(first) not in names]
@@ -94,7 +94,7 @@ def at_hand(data, stages):
 
 
 def after(stages, parent, grown, answered):
-    """The Stage that comes of a parent, one that is there already where it is the same.
+    """The Stage that results from a parent, one that is there already where it is the same.
 
     answered: the digest of what was found in Blender; the same is answered alike, now and after undo.
     """

@@ -22,7 +22,7 @@ def of_selected(ob):
 
 
 def put(ob, vertices, weights, is_passing=False):
-    """Give vertices weights, and their shape what comes of it. is_passing: others follow at once, as in a drag.
+    """Give vertices weights, and their shape the result. is_passing: others follow at once, as in a drag.
 
     Raises Refusal where the net or its shape does not take them; the net has them then.
     """

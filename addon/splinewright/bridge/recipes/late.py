@@ -23,7 +23,7 @@ clock = time.perf_counter
 
 
 class Budget:
-    """The time that followers may take within one step. is_awaited: whether a script waits for what comes of it, which takes as long
+    """The time that followers may take within one step. is_awaited: whether a script waits for the result, which takes as long
     as it takes."""
 
     def __init__(self, is_awaited=False):

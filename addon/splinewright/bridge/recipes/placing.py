@@ -1,7 +1,7 @@
 """The space in which a shape is made from objects, and where those lie in it.
 
 A shape that stays on its inputs is made in the space of its own object. One that moves freely has a space beside it: that stays
-where it is while the shape is moved, or an input, and goes along where all of them are moved as one. What Apply took out of the
+where it is while the shape is moved, or an input, and moves along where all of them are moved as one. What Apply took out of the
 object is done to what is made there, after it was made: axes, planes and lengths mean what they meant.
 """
 

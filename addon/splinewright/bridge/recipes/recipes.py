@@ -1,5 +1,5 @@
 """How a definition comes about, kept beside it on the Mesh or Curve: by following another object, or from
-the numbers and points of a recipe. A shape without one has points of its own.
+the numbers and points of a recipe. A shape without one has its own points.
 
 read() is the one door: what it gives is valid, and anything else that may be stored is refused with a sentence.
 """
@@ -36,7 +36,7 @@ WATCHED = f'["{KEY}"]["{_WATCHED}"]'
 
 
 class Stored(NamedTuple):
-    """What is stored of a recipe."""
+    """The stored data of a recipe."""
 
     recipe: Recipe
     values: dict                        # of its parameters, by name
@@ -69,7 +69,7 @@ def pointers(data):
 
 
 def is_from(data, obs):
-    """Whether a data-block, or none of ours, is made from one of these objects, or goes where they are."""
+    """Whether a data-block, of the add-on or not, is made from one of these objects, or goes where they are."""
     if not hasattr(data, 'splinewright_parameters') or not follows(data):
         return False
     return not obs.isdisjoint((*pointers(data), *frames(data)))
@@ -227,7 +227,7 @@ def _frames(group, recipe):
 
 
 def has_points(data):
-    """Whether the shape is made from points of its own, which its net shows."""
+    """Whether the shape is made from its own points, which its net shows."""
     return has(data) and not follows(data) and len(points(data)) > 0
 
 

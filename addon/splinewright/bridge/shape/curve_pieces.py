@@ -62,7 +62,7 @@ def _on_stretch(layers, stretch):
 
 
 def _chains(parts):
-    """Those that go on from one another as one. parts: pairs of whether it came from the parent, and Layers."""
+    """Those that continue one another as one. parts: pairs of whether it came from the parent, and Layers."""
     chains = []
     for part in sorted(parts, key=lambda part: part[1].at[0]):
         if chains and part[1].at[0] - chains[-1][-1][1].at[-1] <= _ROUNDING:

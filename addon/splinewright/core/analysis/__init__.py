@@ -1,1 +1,1 @@
-"""What is measured of shapes and shown over them: combs, frames, distances, polygons."""
+"""Measures of shapes that are shown over them: combs, frames, distances, polygons."""

@@ -33,7 +33,7 @@ class Samples(NamedTuple):
 
 
 def samples(pieces, most):
-    """The Samples of curves, or of patches, with about so many triangles, or one for every span where those are more."""
+    """The Samples of curves, or of patches, with about a given number of triangles, or one for every span where those are more."""
     axes = [_axes(piece) for piece in pieces]
     spans = sum(int(np.prod([len(ends_of(along)) - 1 for along in each])) for each in axes)
     room = most / max(spans, 1)
@@ -87,7 +87,7 @@ def _axes(piece):
 
 
 def _parts(along, steps):
-    """Of the domain: where spans end, and so many steps between."""
+    """Of the domain: where spans end, and a given number of steps between."""
     ends = ends_of(along)
     ends = (ends - ends[0]) / (ends[-1] - ends[0])
     inner = ends[:-1, None] + np.arange(steps) / steps * np.diff(ends)[:, None]

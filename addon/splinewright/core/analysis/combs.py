@@ -15,7 +15,7 @@ class Comb(NamedTuple):
 
 
 def of(curves, density, scale):
-    """The Comb of curves with so many teeth in every span; one is as long as the curvature times scale.
+    """The Comb of curves with a given number of teeth in every span; one is as long as the curvature times scale.
 
     At a knot there are two: the curvatures of both spans.
     """

@@ -41,7 +41,7 @@ def at_places(patch_set, places, most):
 
 
 def along_lines(pairs, most):
-    """The Plan of the ends (n, 2) of lines (n, 2, 3) that go on from one another: no more points than so many."""
+    """The Plan of the ends (n, 2) of lines (n, 2, 3) that continue one another: at most a given number of points."""
     if not len(pairs):
         return Plan(np.empty((0, 3)), lambda measured: np.empty((0, 2)))
     is_first = np.append(True, (pairs[1:, 0] != pairs[:-1, 1]).any(1))
@@ -117,7 +117,7 @@ def _plan(patch, parts, most):
 
 
 def _lines(patch, axis, most):
-    """Parameters of a grid of about so many points; knots are among them where there is room."""
+    """Parameters of a grid of about this number of points; knots are among them where there is room."""
     start, end = patch.domain[axis]
     count = max(int(np.sqrt(most)), 3)
     evenly = np.linspace(start, end, count)

@@ -14,7 +14,7 @@ _PATCH_STEPS, _MOST_STEPS = 16, 4000
 
 
 def curves(curves, resolution, reach, around):
-    """(n, 2, 3): the curves, no coarser than with so many steps in every span; reach and around as of
+    """(n, 2, 3): the curves, no coarser than with a given number of steps in every span; reach and around as of
     splinecore.NurbsCurve.polylines()."""
     lines = [line for curve in curves for line in curve.polylines(max(resolution, _STEPS), reach, around)]
     return _joined([segments(np.append(points, points[:1], 0) if closed else points) for points, closed in lines])
@@ -31,7 +31,7 @@ def knots_of_patches(patches):
 
 
 def isocurves(patches, count):
-    """(n, 2, 3): so many lines in every span of patches, evenly spread, each way."""
+    """(n, 2, 3): a given number of lines in every span of patches, evenly spread, each way."""
     return _on_patches(patches, lambda along: _between(ends_of(along), count + 1)[0])
 
 
@@ -74,7 +74,7 @@ def _on_patches(patches, at):
 
 
 def _between(ends, parts):
-    """(the parameters that divide every span into so many parts, the ends of spans)."""
+    """(the parameters that divide every span into a given number of parts, the ends of spans)."""
     fractions = np.arange(1, parts) / parts
     return (ends[:-1, None] + fractions * np.diff(ends)[:, None]).ravel(), ends
 

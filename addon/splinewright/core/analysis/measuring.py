@@ -29,7 +29,7 @@ class Measuring:
         return self._done / len(self._values) if len(self._values) else 1.0
 
     def go_on(self, seconds=np.inf):
-        """Whether all are known, after no more than about so many seconds more."""
+        """Whether all are known, after no more than about these seconds more."""
         end = time.monotonic() + seconds
         while self._done < len(self._values):
             start = time.monotonic()

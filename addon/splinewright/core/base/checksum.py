@@ -1,4 +1,4 @@
-"""A checksum of float32 numbers that is known anew, in every bit, where some of them changed: from these alone."""
+"""A checksum of float32 numbers that is found again, in every bit, where some of them changed: from these alone."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ def of(numbers):
 
 
 def room(count):
-    """An array for so many float32 numbers, and for a 0 behind them where it takes one to make pairs of all."""
+    """An array for a given number of float32 numbers, and for a 0 behind them where it takes one to make pairs of all."""
     return np.zeros(count + count % 2, np.float32)
 
 

@@ -11,7 +11,7 @@ def typed(number):
 
 
 def text_of(number, digits=4):
-    """A length in a message, of so many digits, as Blender's fields show it: from a millionth on without an exponent."""
+    """A length in a message, of a number of digits, as Blender's fields show it: from a millionth on without an exponent."""
     rounded = float(f"{number:.{digits}g}")
     return np.format_float_positional(rounded, trim='-') if 1e-6 <= abs(rounded) < 1.0 else f"{rounded:.{digits}g}"
 

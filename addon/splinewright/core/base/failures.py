@@ -1,7 +1,7 @@
 """What may go wrong at a door of Splinewright, and how it is said.
 
 A Refusal, an error of the library, a file that cannot be reached and memory that is not there are told to the modeler
-as sentences. Anything else is a mistake of ours: its traceback is shown.
+as sentences. Anything else is a mistake of the add-on: its traceback is shown.
 """
 
 import re
@@ -76,7 +76,7 @@ def sentence(error):
 
 
 def text_of(error):
-    """Any exception in words, for places that must go on whatever happens. A mistake of ours shows its traceback, too."""
+    """Any exception in words, for places that must continue whatever happens. A mistake of the add-on shows its traceback, too."""
     if isinstance(error, FAILURES):
         return sentence(error)
     traceback.print_exception(type(error), error, error.__traceback__)

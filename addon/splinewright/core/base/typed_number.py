@@ -26,7 +26,7 @@ class Typed(NamedTuple):
 
 
 def after(typed, character):
-    """What is typed when a character is added, or None where it is no part of a number."""
+    """The text when a character is added, or None where it is no part of a number."""
     if character == '-':
         return typed._replace(is_negative=not typed.is_negative)
     character = character.replace(",", ".")
@@ -36,5 +36,5 @@ def after(typed, character):
 
 
 def shortened(typed):
-    """What is typed when the last character is taken back."""
+    """The text when the last character is taken back."""
     return Typed() if not typed.digits else typed._replace(digits=typed.digits[:-1])

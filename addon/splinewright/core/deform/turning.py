@@ -15,7 +15,7 @@ _PLACES = 8
 
 
 class Turning(NamedTuple):
-    """Lines of points with weights that all turn at one pace: line j is rows[0, j] + cos(a) rows[1, j] + sin(a) rows[2, j] at an angle
+    """Lines of points with weights that all turn at one rate: line j is rows[0, j] + cos(a) rows[1, j] + sin(a) rows[2, j] at an angle
     a, each of (x, y, z, 1) times a weight."""
 
     start: float                        # angle

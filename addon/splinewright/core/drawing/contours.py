@@ -1,4 +1,4 @@
-"""Contours that are drawn point after point: segments, and arcs that go on from what is before them."""
+"""Contours that are drawn point after point: segments, and arcs that continue from what is before them."""
 
 import math
 from typing import NamedTuple
@@ -100,7 +100,7 @@ def _closed(contour):
 
 
 def way_of(contour):
-    """(3,): where a contour goes on from its last point; None where it goes nowhere yet."""
+    """(3,): where a contour continues from its last point; None where it goes nowhere yet."""
     if len(contour.points) < 2:
         return None
     last = parts_of(contour._replace(closed=False))[-1]

@@ -1,4 +1,4 @@
-"""Where the next point of what is drawn in a plane goes, when its way is held to angles or numbers are typed.
+"""Where the next point of the drawing in a plane goes, when its way is held to angles or numbers are typed.
 
 All is in the plane of the view: x to the right, y up, from the point before.
 """

@@ -1,4 +1,4 @@
-"""Where what is drawn may meet curves that are there: their ends, middles, and where they are met at a right angle."""
+"""Where the drawing may meet curves that are there: their ends, middles, and where they are met at a right angle."""
 
 from typing import NamedTuple
 
@@ -29,7 +29,7 @@ def _parted(curve):
 
 
 def of_segments(found):
-    """The Marks of segments() that do not depend on what is drawn."""
+    """The Marks of segments() that do not depend on the drawing."""
     return [mark for curve in found for mark in _own(curve)]
 
 

@@ -1,4 +1,4 @@
-"""How smoothly the curves of a definition go on: each inside, at its knots, and from one to the next."""
+"""How smoothly the curves of a definition continue: each inside, at its knots, and from one to the next."""
 
 from typing import NamedTuple
 
@@ -19,7 +19,7 @@ _MOST_NEIGHBORS = 16
 
 
 class Joint(NamedTuple):
-    """A place where a curve or patch goes on, by itself or by another."""
+    """A place where a curve or patch continues, by itself or by another."""
 
     name: str                           # where it is, in words
     continuity: object                  # a splinecore Continuity; None at infinity
@@ -43,10 +43,10 @@ def in_words(measured, degree):
 
 
 def surveyed(definition, limit):
-    """The Survey of a definition of curves, piece by piece, of so many joints at most.
+    """The Survey of a definition of curves, piece by piece, of a given number of joints at most.
 
     A name is a parameter or "seam", after the number of the piece where there are several; of two pieces their
-    numbers and the way each runs: in "1 → → 2" the second goes on where the first ends, "1 → ← 2" end both.
+    numbers and the way each runs: in "1 → → 2" the second continues where the first ends, "1 → ← 2" end both.
     """
     curves = verbs.curves_of(definition)
     ends = np.array([joints.ends_of(curve) for curve in curves])

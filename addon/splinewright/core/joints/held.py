@@ -1,4 +1,4 @@
-"""Continuity that holds: joints of curves and seams of patches that are made smooth anew whenever a side of theirs has moved."""
+"""Continuity that holds: joints of curves and seams of patches that are made smooth again whenever a side of theirs has moved."""
 
 import itertools
 import math
@@ -64,7 +64,7 @@ def are_one(definition, held):
 
 
 def is_there(definition, held):
-    """Whether a joint of curves has both its sides, wherever they are."""
+    """Whether a joint of curves has both its sides, in whatever place."""
     try:
         held_joints.require_possible(definition, held)
     except Refusal:

@@ -1,4 +1,4 @@
-"""Joints of curves that are made smooth anew whenever a side of theirs has moved (lecture rows S18, S21).
+"""Joints of curves that are made smooth again whenever a side of theirs has moved (lecture rows S18, S21).
 
 Of each side the joint is the first of at most three rows of the pool, whose weights stay: the rest is what they make of the
 first two derivatives there. (Piegl and Tiller, The NURBS Book, formulas 3.9 and 4.8.)

@@ -1,4 +1,4 @@
-"""Seams of patches that are made smooth anew whenever a side of theirs has moved (lecture row S21)."""
+"""Seams of patches that are made smooth again whenever a side of theirs has moved (lecture row S21)."""
 
 import numpy as np
 

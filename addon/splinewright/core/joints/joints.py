@@ -25,9 +25,9 @@ def joined(definition, first, second, smoothness, linear=np.eye(3), parted=None)
 
     first, second: numbers of the pieces, counted from 1; 0 for the one whose end is nearest to the other.
     linear: (3, 3), what takes the points to the space in which distances are measured.
-    parted: `first` is one of so many pieces at the beginning, `second` one of the rest, counted from there.
+    parted: `first` is one of a given number of pieces at the beginning, `second` one of the rest, counted from there.
 
-    The two nearest ends meet; a piece is reversed where it must be. The parameter of the first goes on in that
+    The two nearest ends meet; a piece is reversed where it must be. The parameter of the first is continued in that
     of the second. Raises Refusal where a piece has no ends or they lie at infinity.
     """
     curves = verbs.curves_of(definition)
@@ -159,7 +159,7 @@ def chained(definition, tolerance):
 
 
 def _rows(ends, tolerance):
-    """Lists of (piece, is it reversed), each a row of pieces that go on from one another."""
+    """Lists of (piece, is it reversed), each a row of pieces that continue one another."""
     free, rows = set(range(len(ends))), []
     while free:
         row = [(min(free), False)]
@@ -173,7 +173,7 @@ def _rows(ends, tolerance):
 
 
 def _next(ends, row, is_forward, free, tolerance):
-    """The (piece, is it reversed) that goes on at the end or the start of a row, or None."""
+    """The (piece, is it reversed) that continues at the end or the start of a row, or None."""
     piece, is_reversed = row[-1 if is_forward else 0]
     here = ends[piece, _START if is_forward == is_reversed else _END]
     others = np.array(sorted(free), dtype=int)

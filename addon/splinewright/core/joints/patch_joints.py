@@ -42,10 +42,10 @@ class Joined(NamedTuple):
 
 
 def joined(definition, first, second, smoothness, moves, linear=np.eye(3), parted=None):
-    """The Joined definition in which two patches go on as one another.
+    """The Joined definition in which two patches continue as one another.
 
     first, second: Choices. moves: 'second', 'first' or 'both'. linear: (3, 3), what takes the points to the space in
-    which distances are measured. parted: `first` is one of so many patches at the beginning, `second` one of the rest,
+    which distances are measured. parted: `first` is one of a given number of patches at the beginning, `second` one of the rest,
     counted from there. Raises Refusal where there are no such sides, or they cannot be joined: AboutInputs, of which number 0 is what
     has the first patch, 1 what has the second.
     """

@@ -1,4 +1,4 @@
-"""How smoothly patches go on as one another where their sides are one edge (lecture rows S16, S21)."""
+"""How smoothly patches continue as one another where their sides are one edge (lecture rows S16, S21)."""
 
 from typing import NamedTuple
 
@@ -79,7 +79,7 @@ def _is_periodic(definition, first, second):
 
 
 def measured(first, first_side, second, second_side):
-    """The splinecore SeamContinuity that is shown of two patches, wherever it is shown."""
+    """The splinecore SeamContinuity that is shown of two patches, in every place."""
     return sc.seam_continuity(first, first_side, second, second_side, tolerance=SMOOTH)
 
 

@@ -21,7 +21,7 @@ class Found(NamedTuple):
 def among(shapes, tolerance, with_themselves, told=lambda done: None, cancel=None):
     """The Found of shapes, lists of curves or of patches in one space.
 
-    Curves of one shape count as others of its own where with_themselves is so, and with themselves. told: called with how many
+    Curves of one shape count as others where with_themselves is so, and with themselves. told: called with how many
     pairs of shapes are done. Raises Refusal where nothing meets, or an error of the library.
     """
     points, curves = [], []

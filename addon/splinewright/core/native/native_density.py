@@ -24,7 +24,7 @@ def _steps(direction, samples):
 
 
 def resolution_of_curve(spline, steps, sampling):
-    """Blender's resolution for so many of our steps in a span: never one at which it shows another curve."""
+    """Blender's resolution for a given number of the add-on's steps in a span: never one at which it shows another curve."""
     direction, = spline.directions
     if spline.kind == 'BEZIER' or sampling.by_span:
         return steps

@@ -1,4 +1,4 @@
-"""Blender's splines as values of the very geometry that Blender draws, at Blender's parameters.
+"""Blender's splines as values of the same geometry that Blender draws, at Blender's parameters.
 
 What cannot be held is named in words that follow "without": pairs of a value, or None, and such words.
 """

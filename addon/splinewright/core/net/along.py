@@ -20,7 +20,7 @@ _MOST = 4_000_000
 
 
 def places(definition, number, curve, steps):
-    """(m,): where a piece is to be told of, so many steps to each of its spans."""
+    """(m,): where a piece is reported, a given number of steps to each of its spans."""
     ends = handles.joints(definition, definition.pieces[number])
     if not len(ends):
         nurbs = curve.to_nurbs()

@@ -13,7 +13,7 @@ _HALF = "a border that patches share is cut on one side only: cut the patches on
 
 @dataclass(eq=False)
 class Axis:
-    """What is to be done with a patch along an axis."""
+    """The edit to make with a patch along an axis."""
 
     gone: list = field(default_factory=list)        # places of rows
     gaps: list = field(default_factory=list)        # (place among the rows that stay, fractions of the way to the next)
@@ -37,7 +37,7 @@ class Axis:
 
 @dataclass(eq=False)
 class Plan:
-    """What is to be done with a patch, and the slots of its points then."""
+    """The edit to make with a patch, and the slots of its points then."""
 
     axes: tuple
     slots: np.ndarray                   # (rows, columns)

@@ -77,7 +77,7 @@ class Net:
 
     @cached_property
     def rounding(self):
-        """(n, 1): how far Blender moves the handles of chains that it computes anew from where they are."""
+        """(n, 1): how far Blender moves the handles of chains that it computes again from where they are."""
         found = np.zeros((len(self.positions), 1))
         for first, spline in self.chains:
             last = first + 3 * spline.count
@@ -102,7 +102,7 @@ class Net:
 
     @property
     def point_count(self):
-        """How many points have a number in Blender: handles of Bezier points have none of their own."""
+        """How many points have a number in Blender: handles of Bezier points have none."""
         return len(self.spline_points[0]) if self.definition.has_curves else len(self.rows)
 
     @cached_property

@@ -240,7 +240,7 @@ def _connected(plans, runs):
 
 @dataclass(frozen=True, eq=False)
 class _Connected:
-    """What is to be done with pieces that were connected to one. The same questions as of a _Plan."""
+    """The edit to make with pieces that were connected to one. The same questions as of a _Plan."""
 
     plans: tuple
     is_turned: bool
@@ -271,7 +271,7 @@ class _Connected:
 
 @dataclass(frozen=True, eq=False)
 class _Plan:
-    """What is to be done with a piece, or a part of it."""
+    """The edit to make with a piece, or a part of it."""
 
     piece: int
     run: int

@@ -59,7 +59,7 @@ def _free(curve, knot):
 
 
 def without_a_knot(curve, place):
-    """What comes of removing one of the two inner knots that are nearest to a parameter, the one that changes less; of
+    """The result of removing one of the two inner knots that are nearest to a parameter, the one that changes less; of
     lower degree where there is none."""
     inner = parameters.inner_knots(curve)
     if not len(inner):

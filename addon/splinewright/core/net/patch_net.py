@@ -96,7 +96,7 @@ class _Handles:
         self.pairs_u, self.pairs_v = [], []
 
     def add(self, piece):
-        """The piece, whose handles have rows of their own."""
+        """The piece, whose handles have their own rows."""
         indices = piece.indices.copy()
         factors = [_thirds(parameters) for parameters in piece.knots]
         count_u, count_v = indices.shape[1:]

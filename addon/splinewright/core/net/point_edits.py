@@ -52,7 +52,7 @@ def appended(edited, point, at_start):
 
 
 def inserted(edited, place, times):
-    """So many more points after the point at a place of the order: the shape stays."""
+    """A given number of additional points after the point at a place of the order: the shape stays."""
     curve, order = edited.curve, edited.order
     if _is_chain(curve):
         return edited._replace(curve=_refined_chain(curve, place, times), order=np.arange(len(order) + times))

@@ -118,7 +118,7 @@ def _problem(count, gone, are_others_there, is_wild, is_zero, has_no_weights):
 
 
 def note(extra, is_void=False):
-    """What is said of so many strays, and of handles that lead to them."""
+    """What is said of a number of strays, and of handles that lead to them."""
     if not extra:
         return ""
     beside = ", nor does it take handles that lead to new ones" if is_void else ""

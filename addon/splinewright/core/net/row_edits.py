@@ -78,7 +78,7 @@ def removed(edited, place):
 
 
 def is_periodic(edited):
-    """Whether rows go on around, from the last to the first."""
+    """Whether rows close around, from the last to the first."""
     return bool(getattr(edited.patch, 'periodic', (False, False))[edited.axis])
 
 

@@ -79,8 +79,8 @@ def bend_in_words(bend):
 
 
 def _ends(patch, is_one_of_several):
-    """The sides of a patch that alone go round its start and its end, by these names; one that is closed is missing. Raises
-    Refusal where its sides go round nothing."""
+    """The sides of a patch that alone go around its start and its end, by these names; one that is closed is missing. Raises
+    Refusal where its sides go around nothing."""
     patch = patch.to_nurbs()
     open_ends = sc.build.open_ends([patch])
     axis = next((axis for axis, other in (('v', 'u'), ('u', 'v')) if _is_closed_along(patch, other)), "")

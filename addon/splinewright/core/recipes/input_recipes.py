@@ -1,4 +1,4 @@
-"""What is made from other objects, live."""
+"""Shapes made from other objects, live."""
 
 from ..formulas import teaching
 from ..meets import projecting

@@ -81,7 +81,7 @@ def _loft_order(inputs):
 
 
 def _first_ends(inputs):
-    """It goes on from surfaces that are selected, too."""
+    """It continues surfaces that are selected, too."""
     order = _loft_order(inputs)
     return {name: 'G1' for name, at in (('start', 0), ('end', -1)) if getattr(inputs[order[at]], 'has_curves', True) is False}
 
@@ -201,7 +201,7 @@ def _degrees(angle):
 
 
 def _gone_on(filling, continuities):
-    """How it goes on from sides of surfaces with these continuities, and its patches from each other, in words."""
+    """How it continues sides of surfaces with these continuities, and its patches from each other, in words."""
     if {'G1', 'G2'} & continuities:
         yield f"angle {_degrees(filling.angle)}° to them"
     if len(filling.patches) > 1:

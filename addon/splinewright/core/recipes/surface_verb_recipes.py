@@ -177,7 +177,7 @@ def _radius(name, label, text, follows=""):
 
 
 def _covered_by_matched(values):
-    """The surface that it is matched to goes on being seen beside it."""
+    """The surface that it is matched to stays visible beside it."""
     return 2 if values['both'] else 1
 
 

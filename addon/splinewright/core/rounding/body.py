@@ -20,7 +20,7 @@ _ROUND = (('v_start', False), ('u_end', False), ('v_end', True), ('u_start', Tru
 
 
 class Side(NamedTuple):
-    """A side of a cell, in the direction in which it goes round it."""
+    """A side of a cell, in the direction in which it goes around it."""
 
     cell: int
     name: str
@@ -39,7 +39,7 @@ class Face:
 
 @dataclass
 class Edge:
-    """What is rounded as one: pairs of Sides, the first ones of faces that go on as each other, and the second ones."""
+    """What is rounded as one: pairs of Sides, the first ones of faces that continue as each other, and the second ones."""
 
     number: int                         # as users count: from 1
     pairs: list = field(default_factory=list)
@@ -212,7 +212,7 @@ def _edge(body, smooth, number, chain):
 
 
 def _following(body, smooth, pair, at_end, pairs, taken):
-    """The pair of sides that goes on from one, in order, or before it."""
+    """The pair of sides that continues one, in order, or before it."""
     for one in pairs:
         for candidate in (one, one[::-1]):
             if one in taken or one[::-1] in taken:
@@ -240,7 +240,7 @@ def _way(curve, at):
 
 
 def _are_one_face(body, smooth, a, b):
-    """Whether cells of two sides are one, or go on as each other."""
+    """Whether cells of two sides are one, or continue as each other."""
     if body.face_of[a.cell] == body.face_of[b.cell]:
         return True
     return any({body.sides[i].cell, body.sides[j].cell} == {a.cell, b.cell} for i, j in smooth)

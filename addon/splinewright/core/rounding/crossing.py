@@ -15,7 +15,7 @@ _PLACES = np.linspace(0.0, 1.0, 17)[1:-1]
 
 
 class Cut(NamedTuple):
-    """What is left of two patches, and the sides at which they meet."""
+    """The rest of two patches, and the sides at which they meet."""
 
     first: object
     first_side: str
@@ -24,7 +24,7 @@ class Cut(NamedTuple):
 
 
 def cut_back(first, second, first_side, second_side, cancel=None):
-    """The Cut of two patches that meet in one curve. Sides: where what is left of each has it, 'nearest' for the larger part.
+    """The Cut of two patches that meet in one curve. Sides: where the rest of each has it, 'nearest' for the larger part.
     Raises Refusal where they do not, or where it is no line of u or v of either from side to side."""
     size = max(np.ptp(np.asarray(patch.to_nurbs().points).reshape(-1, 3), axis=0).max() for patch in (first, second))
     found = first.sections(second, tolerance=_FINE * size, cancel=cancel)

@@ -1,4 +1,4 @@
-"""Which edges of surfaces are rounded, and what comes of it."""
+"""Which edges of surfaces are rounded, and what results."""
 
 from typing import NamedTuple
 

@@ -1,4 +1,4 @@
-"""Straight edges of planes, and the corners in which they meet, rounded exactly: by cylinders, spheres and what is left of the
+"""Straight edges of planes, and the corners in which they meet, rounded exactly: by cylinders, spheres and the rest of the
 planes."""
 
 import math
@@ -190,7 +190,7 @@ class _Rounding:
         return [*found, *map(self._fillet, self.ridges), *(self._corner(*ball) for ball in self.balls)]
 
     def _left(self, face, changing):
-        """Patches of what is left of a face."""
+        """Patches for the rest of a face."""
         outline, pieces = self._outlines[face], []
         for span in outline.spans:
             pieces += self._pieces(face, span, changing)
@@ -225,7 +225,7 @@ class _Rounding:
         return arc if ridge.faces[0] == span.across else arc[::-1]
 
     def _fillet(self, ridge):
-        """v from the first face to the second one; u against the first one, so that normals go on."""
+        """v from the first face to the second one; u against the first one, so that normals continue."""
         arcs = np.stack([self.arcs[ridge.number, corner] for corner in ridge.ends[::-1]])
         degree = arcs.shape[1] - 1
         knots = [0.0, 0.0, 1.0, 1.0], np.repeat([0.0, 1.0], degree + 1)

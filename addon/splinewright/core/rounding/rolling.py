@@ -178,7 +178,7 @@ class _Rolling:
         return face
 
     def _take_back(self, face, ends):
-        """Fill what is left of a plane in which the edge ends, once or twice. ends: (corner, a part of the edge)."""
+        """Fill the rest of a plane in which the edge ends, once or twice. ends: (corner, a part of the edge)."""
         outline = self.outline(face)
         pieces = [list(span.curves) for span in outline.spans]
         for corner, _ in ends:
@@ -200,7 +200,7 @@ class _Rolling:
         return [self.body.face_of[side.cell] for side in pair]
 
     def _contact(self, i, corner):
-        """Where what is left of a strip ends in a corner."""
+        """Where the rest of a strip ends in a corner."""
         left = self.sides[0 if corner == self.ends[0] else -1][i]
         ends = np.asarray(left.boundary('v_start').points)[[0, -1]]
         beside = self._beside(self.faces[i], corner)
@@ -215,7 +215,7 @@ class _Rolling:
         return point
 
     def _shortened(self, span, corner, face):
-        """What is left of a side of a plane face that a surface beside the edge has, as it runs in the face."""
+        """The rest of a side of a plane face that a surface beside the edge has, as it runs in the face."""
         if (span.across, corner) in self.at:
             return self._line(span.across, span)
         body = self.body
@@ -245,7 +245,7 @@ class _Rolling:
         raise Refusal(f"{where}: the rounded edge and the trimmed surfaces do not end together")
 
     def _refill(self, i):
-        """What is left of the plane face of strips."""
+        """The rest of the plane face of strips."""
         face, pieces = self.faces[i], []
         if face in self.left:
             raise Refusal(f"edge {self.edge.number}: it ends on a plane that it runs along")

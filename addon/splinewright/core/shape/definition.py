@@ -36,7 +36,7 @@ class Piece:
                            'periodic': [bool(p) for p in self.periodic], 'knots': [len(k) for k in self.knots]})
 
     def require_consistent(self, axes, pool_size):
-        """Raises Refusal unless the counts of a piece with so many axes fit each other and the pool."""
+        """Raises Refusal unless the counts of a piece with this number of axes fit each other and the pool."""
         if self.kind not in ('bezier', 'hermite', 'nurbs'):
             raise Refusal(f"'{self.kind}' is no kind of piece")
         nets = () if self.kind != 'hermite' else (3,) if axes == 1 else (4,)

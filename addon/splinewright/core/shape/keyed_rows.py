@@ -80,7 +80,7 @@ def carried(before, after, rows=None):
     """(n,) of each row of a definition the same point's row in another, which came of it, or -1. rows: those that matter; others
     may be left out.
 
-    Where the pieces are what they were points have moved, unless they were turned round. Otherwise a point is the same that
+    Where the pieces are what they were points have moved, unless they were reversed. Otherwise a point is the same that
     lies where it lay, seen from an end of its piece: what a verb did not touch.
     """
     found = np.full(len(before.pool), -1)
@@ -131,7 +131,7 @@ def _axes(piece):
 
 
 def _turns(piece):
-    """The indices of a piece as they are, and turned round in all ways."""
+    """The indices of a piece as they are, and reversed in all ways."""
     axes = _axes(piece)
     for swaps in (False, True) if len(axes) == 2 else (False,):
         for is_turned in product((False, True), repeat=len(axes)):
@@ -140,7 +140,7 @@ def _turns(piece):
 
 
 def _turned(one, other, lie_alike):
-    """The indices of a piece as another has them: turned round where it lies there only so. Tangents are others then: -1."""
+    """The indices of a piece as another has them: reversed where it lies there only so. Tangents are others then: -1."""
     if one.kind != 'hermite':
         ways = (turned for turned in _turns(other) if turned.shape == one.indices.shape)
         return next((turned for turned in ways if lie_alike(one.indices, turned).all()), other.indices)

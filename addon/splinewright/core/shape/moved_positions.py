@@ -63,7 +63,7 @@ class MovedPositions:
         return self._places[known]
 
     def _tried(self, before, rows):
-        """The vertices that move where those rows do, wherever to, or None where that may be any: the rows are moved in all
+        """The vertices that move where those rows do, to any place, or None where that may be any: the rows are moved in all
         coordinates, and it is seen what is written."""
         sizes = np.abs(before.weights)
         if not (_LEAST < sizes.min() and sizes.max() < _MOST):

@@ -34,7 +34,7 @@ def _spread(counts):
 
 
 def _samples(curve, first, last, count, closed):
-    """The parameters of so many points, evenly spread over what a piece holds of every span; None where they are not."""
+    """The parameters of a given number of points, evenly spread over what a piece holds of every span; None where they are not."""
     inner = np.unique(curve.knots)
     ends = np.concatenate([[first], inner[(inner > first) & (inner < last)], [last]])
     spans, steps = len(ends) - 1, count - (0 if closed else 1)

@@ -61,7 +61,7 @@ class Traced:
         return [self._part(part) for part in self.curve.trimmed(*arguments, **settings)]
 
     def _longer(self, made):
-        """A curve that goes on by the same parameter."""
+        """A curve that continues by the same parameter."""
         (start, end), (first, last) = self.curve.domain, made.domain
         return Traced(made, places.squeezed(self.stretches, (start - first) / (last - first), (end - first) / (last - first)))
 

@@ -25,12 +25,12 @@ class Ring(NamedTuple):
 
     @property
     def patches(self):
-        """The numbers of the patches that go round them first."""
+        """The numbers of the patches that go around them first."""
         return tuple(end[0][0] for end in self.ends)
 
     @property
     def is_simple(self):
-        """Whether it is of two patches that alone go round its ends."""
+        """Whether it is of two patches that alone go around its ends."""
         return len(self.ends) == 2 and all(len(end) == 1 for end in self.ends)
 
 

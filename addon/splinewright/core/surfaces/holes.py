@@ -1,4 +1,4 @@
-"""Holes: curves and sides of patches that go round."""
+"""Holes: curves and sides of patches that go around."""
 
 import math
 from typing import NamedTuple
@@ -39,7 +39,7 @@ def sides_of(shapes, continuity):
 
 
 def around(sides, count, tolerance):
-    """The Sides of the hole, in the order in which they go round: three to eight, one at least of each of `count` shapes; of
+    """The Sides of the hole, in the order in which they go around: three to eight, one at least of each of `count` shapes; of
     several such holes the one with the fewest sides, then the shortest. Raises Refusal."""
     ends = _corners(sides, tolerance)
     free = _without_seams(sides, ends, tolerance)
@@ -64,7 +64,7 @@ def of_one(pieces, continuity, is_other):
 
 
 def _cut(side):
-    """Pairs of a curve and what splinecore.build.fill takes, one for each side of a hole that one closed side goes round."""
+    """Pairs of a curve and what splinecore.build.fill takes, one for each side of a hole that one closed side goes around."""
     is_curve = side.asked is side.curve
     if is_curve:
         whole = _opened(side.curve.to_nurbs())
@@ -159,7 +159,7 @@ def _without_seams(sides, ends, tolerance):
 
 
 def _cycles(free, ends, start):
-    """Lists of numbers of sides that go round through corners of which no one comes twice, from a side on; each round once."""
+    """Lists of numbers of sides that go around through corners of which no one comes twice, from a side on; each round once."""
     first, at = ends[start]
     waiting = [((start,), at, {at})]
     while waiting:

@@ -134,7 +134,7 @@ def _unmatched(inner, is_aligned):
 
 
 def _leaving(inner, at, end, name):
-    """What splinecore.build.loft is told of an end without a surface."""
+    """What splinecore.build.loft gets for an end without a surface."""
     if end.how == 'free':
         return {}
     own, beside = inner[at], inner[1 if at == 0 else -2] if len(inner) > 1 else None
@@ -177,7 +177,7 @@ def _neighbor(surface, beside, end, name):
 
 
 def _is_side_of(one, neighbor):
-    """Whether a Section is the side that a loft goes on from, which takes its place then."""
+    """Whether a Section is the side that a loft continues, which takes its place then."""
     if one.curve is None:
         return False
     side = _curve_of(neighbor[:2])

@@ -15,7 +15,7 @@ _PLACES = 65
 
 
 class Both(NamedTuple):
-    """Two patches that go on from each other, and how far their points moved, at equal parameters."""
+    """Two patches that continue each other, and how far their points moved, at equal parameters."""
 
     first: object
     second: object

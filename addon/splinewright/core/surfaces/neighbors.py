@@ -1,4 +1,4 @@
-"""Surfaces beside a network: on which of their sides its curves lie, and how smoothly it goes on from them."""
+"""Surfaces beside a network: on which of their sides its curves lie, and how smoothly it continues them."""
 
 import numpy as np
 

@@ -82,7 +82,7 @@ def _mark(curve):
 
 
 def loop(curves, tolerance):
-    """Curves in the order in which they go round, from the first on to the one whose end is nearest to where it ends. Raises
+    """Curves in the order in which they go around, from the first on to the one whose end is nearest to where it ends. Raises
     AboutInputs where they leave a gap that is wider than a tolerance."""
     left, order, gaps = list(range(1, len(curves))), [0], []
     start, at = ends(curves[0])

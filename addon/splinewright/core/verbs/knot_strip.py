@@ -80,7 +80,7 @@ def words(bar, i):
 
 
 def number(bar, value):
-    """A parameter as text, with so many digits that a thousandth of the bar is told."""
+    """A parameter as text, with as many digits as show a thousandth of the bar."""
     start, end = bar.span
     size = max(abs(start), abs(end))
     width = end / size - start / size
@@ -153,7 +153,7 @@ def is_between(bar, i, value):
 
 
 def step(width, pixels):
-    """The Decimal 1, 2 or 5 times a power of 10 that is at least so many pixels on a bar of a width in parameters for
+    """The Decimal 1, 2 or 5 times a power of 10 that is at least this number of pixels on a bar of a width in parameters for
     each pixel."""
     least = Decimal(repr(width)) * Decimal(repr(pixels))
     power = Decimal(1).scaleb(least.adjusted())

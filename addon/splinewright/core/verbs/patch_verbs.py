@@ -84,7 +84,7 @@ def with_neighbors(definition, number, axes, make):
     """{number of a patch from 0: verb}: along() of a patch, and of all that are to be cut with it so that borders that were shared
     are shared.
 
-    make(axis, carry, spent): the verb of core.verbs.verbs; carry takes parameters of the patch to those of the one at hand.
+    make(axis, carry, spent): the verb of core.verbs.verbs; carry takes parameters of the patch to those of the current one.
     """
     own, made = definition.pieces[number], {}
     for axis in axes:

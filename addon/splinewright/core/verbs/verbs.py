@@ -199,7 +199,7 @@ def lower_degree(times, tolerance):
 
 
 def rebuild(count, degree, ends, cancel=None):
-    """With so many control points. ends: 'points' of an open curve stay, or 'tangents', too. cancel: as the library takes it."""
+    """With a given number of control points. ends: 'points' of an open curve stay, or 'tangents' also. cancel: as in the library."""
     return lambda curve: curve.to_nurbs().rebuild(count, degree, ends=ends, cancel=cancel)
 
 

@@ -1,4 +1,4 @@
-"""By clicks on the sides of patches: two are joined, or one is extracted. What is at the mouse is shown."""
+"""By clicks on the sides of patches: two are joined, or one is extracted. The item at the mouse is shown."""
 
 import bpy
 
@@ -12,7 +12,7 @@ from .pointing import Pointing, given, take_again
 
 
 class _PicksSides(Pointing):
-    """So many sides are clicked, one after the other."""
+    """A given number of sides are clicked, one after the other."""
 
     bl_options = {'REGISTER'}
     count = 1

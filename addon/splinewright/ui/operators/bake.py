@@ -114,7 +114,7 @@ def _listed(names):
 
 
 def _gone_through(steps, step):
-    """What steps end with; step() is told of each."""
+    """What steps end with; step() reports each."""
     done = 0
     while True:
         try:

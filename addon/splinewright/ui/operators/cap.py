@@ -39,7 +39,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
         return found
 
     def _set(self, data):
-        """Caps in the panel of what is made from other objects. Raises Refusal where there are none."""
+        """Caps in the panel of shapes made from other objects. Raises Refusal where there are none."""
         recipe = recipes.of(data)
         choices = next((parameter.choices for parameter in recipe.parameters if parameter.name == 'caps'), ())
         if not choices:

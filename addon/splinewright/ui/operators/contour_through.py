@@ -1,4 +1,4 @@
-"""A contour through what is selected: vertices of a mesh in Edit Mode, or the points of strokes."""
+"""A contour through the selection: vertices of a mesh in Edit Mode, or the points of strokes."""
 
 import bpy
 

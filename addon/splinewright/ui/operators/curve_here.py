@@ -1,4 +1,4 @@
-"""By clicks on curves: one is trimmed or goes on, two get an arc or a segment between them. Where is shown at the mouse."""
+"""By clicks on curves: one is trimmed or extended, two get an arc or a segment between them. Where is shown at the mouse."""
 
 from functools import partial
 

@@ -1,4 +1,4 @@
-"""Curves go on to where they meet others, end there, or part there."""
+"""Curves are extended to where they meet others, end there, or part there."""
 
 from functools import partial
 

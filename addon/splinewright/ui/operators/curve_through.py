@@ -1,4 +1,4 @@
-"""A curve through what is selected: vertices of a mesh in Edit Mode, the points of strokes, or the origins of objects, which
+"""A curve through the selection: vertices of a mesh in Edit Mode, the points of strokes, or the origins of objects, which
 it follows."""
 
 import re

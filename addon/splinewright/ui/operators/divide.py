@@ -101,7 +101,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         return places
 
     def _require_few(self, count):
-        """Raises Refusal where so many objects are too many."""
+        """Raises Refusal where these are too many objects."""
         if self.make != 'POINTS' and count > _MOST_OBJECTS:
             raise Refusal(f"that makes too many objects: at most {_MOST_OBJECTS} are allowed")
 

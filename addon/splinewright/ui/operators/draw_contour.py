@@ -140,7 +140,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         return None, ""
 
     def _numbers(self):
-        """(length, angle in radians) as typed, None for what is not."""
+        """(length, angle in radians) as typed, None for what is not typed."""
         length, angle = (self._other, self._typed) if self._types_angle else (self._typed, self._other)
         return length.number, None if angle.number is None else math.radians(angle.number)
 
@@ -154,7 +154,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         return last + plane.T @ away
 
     def _way(self, plane):
-        """(2,) in a plane: where the contour goes on; None at its first point."""
+        """(2,) in a plane: where the contour continues; None at its first point."""
         try:
             way = contours.way_of(self._drawn)
         except FAILURES:

@@ -1,4 +1,4 @@
-"""Tab where a shape has no net of its own: to what it is made from, or to the choice. And out of the result's own mesh."""
+"""Tab where a shape has no net: to what it is made from, or to the choice. And out of the result's own mesh."""
 
 import bpy
 from bpy.props import EnumProperty, StringProperty

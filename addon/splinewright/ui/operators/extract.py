@@ -1,4 +1,4 @@
-"""Curves on patch shapes become shapes of their own."""
+"""Curves on patch shapes become separate shapes."""
 
 import bpy
 from bpy.props import EnumProperty

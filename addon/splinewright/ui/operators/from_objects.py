@@ -46,7 +46,7 @@ class _FromObjects(LongWork, Repeatable):
 
     @classmethod
     def _lacking(cls, sources):
-        """What is to be selected in place of these objects, or ""."""
+        """The objects to select in place of these objects, or ""."""
         recipe = cls.recipe
         fits = recipe.takes(len(sources)) and all(is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
         if fits and 'edges' in recipe.defaults and len(sources) == 1 and _has_no_edge(sources[0]):
@@ -167,7 +167,7 @@ def is_wanted(ob, what):
 
 
 def lacking(context, recipe):
-    """What is to be selected for a recipe that makes shapes from objects, or ""."""
+    """The objects to select for a recipe that makes shapes from objects, or ""."""
     operator = next(cls for cls in CLASSES if cls.recipe is recipe)
     return operator._lacking(sources_of(context, recipe))
 

@@ -1,4 +1,4 @@
-"""What operators have in common that make curves of points: vertices of a mesh in Edit Mode, and others of their own."""
+"""What operators have in common that make curves of points: vertices of a mesh in Edit Mode, and their own points."""
 
 import bmesh
 import bpy
@@ -80,7 +80,7 @@ class CurvesFromPoints(LongWork, Repeatable):
         return self.new_objects(self.lines_of_objects(context))
 
     def said(self, new):
-        """What is told of the new objects. Distances are the scene's where `is_measured`."""
+        """What is said about the new objects. Distances are the scene's where `is_measured`."""
         return new_shapes.said_of(new, max(recipes.error(ob.data) for ob in new)) if self.is_measured else ""
 
     def warnings(self, new):

@@ -35,7 +35,7 @@ class Gesture:
         """Let the shapes be as they were, where the gesture is called off."""
 
     def takes(self, event):
-        """Whether an event is part of what is typed."""
+        """Whether an event is part of the typed text."""
         return False
 
     def lets_pass(self, event):

@@ -25,7 +25,7 @@ def _side():
 
 
 class OnWhatHolds:
-    """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out anew."""
+    """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out again."""
 
     kind, fits = "patch", staticmethod(replace_pieces.is_patch_shape)
 

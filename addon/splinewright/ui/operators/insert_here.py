@@ -21,7 +21,7 @@ _STEPS = {'WHEELUPMOUSE': 1, 'WHEELDOWNMOUSE': -1}
 
 
 class ByClick(Gesture):
-    """What is at the mouse is shown until it is clicked, or called off."""
+    """The item at the mouse is shown until it is clicked, or called off."""
 
     bl_options = {'REGISTER'}
     cursor = 'CROSSHAIR'
@@ -90,7 +90,7 @@ class ByClick(Gesture):
         ui_state.aimed = None
 
     def _turns(self, event):
-        """Whether the wheel changes the direction of what is at the mouse, a patch."""
+        """Whether the wheel changes the direction of the item at the mouse, a patch."""
         return event.type in _STEPS and ui_state.aimed is not None and len(ui_state.aimed.parameters) == 2
 
     def told(self, context, aimed):
@@ -98,7 +98,7 @@ class ByClick(Gesture):
         return aimed
 
     def _aim(self, context, event):
-        """Find what is at the mouse, with Ctrl the middle of the span there, and show it."""
+        """Find the item at the mouse, with Ctrl the middle of the span there, and show it."""
         aimed = aimed_at(context, event.mouse_x, event.mouse_y, self.direction, self._snaps and event.ctrl)
         ui_state.aimed = self.told(context, aimed) if aimed else None
         if aimed or event.type != 'LEFTMOUSE':

@@ -1,4 +1,4 @@
-"""Work of the library that may take long: it is done beside Blender, which shows that it goes on and listens to Esc."""
+"""Work of the library that may take long: it is done beside Blender, which shows that it works and listens to Esc."""
 
 import threading
 import time
@@ -31,12 +31,12 @@ class Work:
                 self.results[key] = error
 
     def is_done(self, seconds=0.0):
-        """Whether all is done, within so many seconds."""
+        """Whether all is done, within a given number of seconds."""
         self._thread.join(seconds)
         return not self._thread.is_alive()
 
     def stop(self):
-        """The library ends its call soon; what comes of it is lost."""
+        """The library ends its call soon; its result is lost."""
         self._stopped.set()
 
 

@@ -1,4 +1,4 @@
-"""Delete, Separate and Explode: pieces of shapes go, or become shapes of their own, in Object Mode and while nets are edited."""
+"""Delete, Separate and Explode: pieces of shapes go, or become separate shapes, in Object Mode and while nets are edited."""
 
 import bpy
 from bpy.props import IntProperty

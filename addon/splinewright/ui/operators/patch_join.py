@@ -1,4 +1,4 @@
-"""Patches go on as one another where two of their sides meet."""
+"""Patches continue as one another where two of their sides meet."""
 
 import math
 

@@ -19,7 +19,7 @@ def take_again(context, ob):
 
 
 class Pointing(Gesture):
-    """What is at the mouse is shown until it is clicked. `hint` stands in the status bar."""
+    """The item at the mouse is shown until it is clicked. `hint` stands in the status bar."""
 
     cursor = 'EYEDROPPER'
     hint = ""
@@ -27,7 +27,7 @@ class Pointing(Gesture):
     at_once: BoolProperty(options={'HIDDEN', 'SKIP_SAVE'})          # click where the mouse is, or leave the key to others
 
     def look(self, context, event):
-        """Find what is at the mouse, and show it; whether there is anything."""
+        """Find the item at the mouse, and show it; whether there is anything."""
         raise NotImplementedError
 
     def forget(self):

@@ -10,7 +10,7 @@ _MOST = 3
 
 
 class Report(NamedTuple):
-    """What is to be told of a work that was done."""
+    """A report on finished work."""
 
     done: str = ""
     notes: tuple = ()                   # what else is good to know

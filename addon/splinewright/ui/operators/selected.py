@@ -67,7 +67,7 @@ class OnSelected:
         return self._finished(said._replace(warnings=(*said.warnings, *self.after(context), *reasons)))
 
     def after(self, context):
-        """What is to be done when it was done with all. Returns warnings."""
+        """Called when all are done. Returns warnings."""
         return ()
 
     def _finished(self, said, is_refused=False):

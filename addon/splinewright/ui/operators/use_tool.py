@@ -1,4 +1,4 @@
-"""A tool of ours is chosen by an entry of a menu, as its button in the toolbar does: F3 finds entries, and no buttons."""
+"""A tool of the add-on is chosen by an entry of a menu, as its button in the toolbar does: F3 finds entries, and no buttons."""
 
 import bpy
 from bpy.props import EnumProperty
