@@ -12,8 +12,6 @@ from ..shape.definition import CURVES
 from . import verbs
 
 _PAIRS = ('degree', 'domain', 'knots', 'periodic')
-_VERBS = ('clamped', 'elevate', 'insert_knot', 'reduce', 'refine', 'remove_knot', 'remove_knots', 'to_periodic',
-          'unclamped', 'with_domain')
 
 
 class Along:
@@ -28,10 +26,8 @@ class Along:
     def __getattr__(self, name):
         if name in _PAIRS:
             return getattr(self.patch, name)['uv'.index(self.axis)]
-        if name in _VERBS:
-            method = getattr(self.patch, name)
-            return lambda *arguments: self._of(method(self.axis, *arguments))
-        raise AttributeError(f"a patch along {self.axis} has no {name}")
+        method = getattr(self.patch, name)
+        return lambda *arguments: self._of(method(self.axis, *arguments))
 
     def __eq__(self, other):
         return self.axis == other.axis and self.patch == other.patch
