@@ -13,6 +13,8 @@ make_profile "$zip"
 said=$("$blender" --version)
 sed -n '/^Blender /{p;q}' <<<"$said"
 export SPLINEWRIGHT_OUTPUT=$(realpath "$output")
+# A quarter of the work of a short script is to compile shaders: they are kept from one script to the next.
+export MESA_SHADER_CACHE_DIR=$SPLINEWRIGHT_OUTPUT/shaders
 
 # Starts an X server on a display that nobody has, with its picture in FOLDER, and leaves its number and process.
 start_display() {

@@ -13,7 +13,9 @@ from pathlib import Path
 
 #: The files that take longest, so that none of them comes last.
 SLOW = ("test_random_walk.py", "test_memory.py", "test_random_patches.py", "test_against_blender.py", "test_fineness.py",
-        "test_write_native.py", "test_sample_meshes.py", "test_patch_verbs.py")
+        "test_write_native.py", "test_sample_meshes.py", "test_damaged.py", "test_patch_verbs.py",
+        "test_wild_fillings.py", "test_packaging.py", "test_complete_sections.py", "test_every_call.py", "test_nearly_touching.py",
+        "test_adaptive_tessellation.py", "test_trimmed_offsets.py", "test_all_fillets.py", "test_promised_tolerances.py")
 FOLDER = os.environ.get('SHARED_FOLDER')
 WITHOUT = os.environ.get('SHARED_WITHOUT', '').split()
 
