@@ -2,7 +2,7 @@
 # Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them on the Blender
 # of Debian 12 (this system); those that a version may change shared by that of Debian 13 and that of Debian unstable, and
 # once more by the official builds but 5.1. Each window is opened on one of Debian's three,
-# and workpieces on the oldest and the newest.
+# workpieces on the oldest or the newest.
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
 #   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
@@ -57,8 +57,8 @@ heading() { printf '\n== %s\n' "$*"; }
 failed=()
 attempt() { local name=$1; shift; "$@" || failed+=("$name"); }
 
-# The windows of a release: all, or its part of those that all share, and workpieces from start to end on the oldest and on the
-# newest one.
+# The windows of a release: all, or its part of those that all share, and of workpieces from start to end every second on the
+# oldest release and the others on the newest one.
 windows_of() {
   local i name releases=(bookworm "${suites[@]}")
   local shared=() workpieces=("$project"/tests/gui/test_workpiece_*.py)
@@ -69,7 +69,9 @@ windows_of() {
     [ "$how" != full ] && [ "${releases[i % ${#releases[@]}]}" != "$1" ] || echo "tests/gui/$(basename "${shared[i]}")"
   done
   [ "$how" != full ] && [[ $1 = bookworm || $1 = "${releases[-1]}" ]] || return 0
-  for name in "${workpieces[@]}"; do echo "tests/gui/$(basename "$name")"; done
+  local turn=1
+  [ "$1" != bookworm ] || turn=0
+  for ((i = turn; i < ${#workpieces[@]}; i += 2)); do echo "tests/gui/$(basename "${workpieces[i]}")"; done
 }
 
 # Tests that no version changes.
