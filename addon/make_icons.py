@@ -125,7 +125,7 @@ def edge():
 
 
 def trim():
-    """A curve that ends where it meets another; what is behind is struck out."""
+    """A curve that ends where it meets another; the part behind is struck out."""
     return [(line([(118, 25), (118, 230)], _THIN), _WHITE), (line(cubic((18, 70), (45, 110), (80, 125), (118, 128)), _THIN), _WHITE),
             (dashes([(148, 128), (178, 126), (206, 118), (234, 104)], _THIN), _GREEN), (cross(195, 195, 30, 20), _GREEN)]
 
@@ -137,7 +137,7 @@ def extend():
 
 
 def _corner(middle):
-    """Two lines, and what is between them."""
+    """Two lines and the space between them."""
     return [(line([(40, 25), (40, 118)], _THIN) + line([(137, 215), (230, 215)], _THIN), _WHITE),
             (dashes([(40, 145), (40, 172), (40, 205), (50, 215), (83, 215), (110, 215)], 9), _WHITE), (line(middle, 24), _GREEN)]
 

@@ -1,6 +1,6 @@
 """The manual that the zip brings: pages of HTML from addon/manual, sections of the README and their pictures.
 
-A page is Markdown. On a line of its own it may say
+A page is Markdown. On a separate line it may say
 
     <!-- README: A section -->       to have the text of that section of the README here
     <!-- F1: a b.c* -->              below a heading: F1 over these leads to it. a is an operator of the add-on, b.c a property
@@ -45,7 +45,7 @@ def content():
 
 
 class _Manual:
-    """What is gathered while pages are made."""
+    """The contents gathered while pages are made."""
 
     def __init__(self):
         self.readme = (PROJECT / "README.md").read_text()

@@ -142,7 +142,7 @@ def numbers(joint):
 
 
 def _short(number):
-    """At most seven characters; what is rounding is 0."""
+    """At most seven characters; rounding errors count as 0."""
     if abs(number) < _ROUNDING:
         return "0"
     return f"{number:.3g}" if 1e-3 <= number < 999.5 else f"{number:.0e}"

@@ -31,7 +31,7 @@ class Shown(NamedTuple):
 
 
 def draw(chosen, obs):
-    """In the 3D view at hand, over the faces of those objects that are surfaces."""
+    """In the current 3D view, over the faces of those objects that are surfaces."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'MESH'):
         batch = overlays.kept(ob.data, ('painted', ob.name), (deviation,), _surface)
@@ -42,7 +42,7 @@ def draw(chosen, obs):
 
 
 def draw_lines(chosen, obs):
-    """In the 3D view at hand, along those that are curves."""
+    """In the current 3D view, along those that are curves."""
     shown = _shown(chosen, obs)
     for ob, deviation in _of_type(shown, 'CURVE'):
         lines = overlays.kept(ob.data, ('painted', ob.name), (deviation, shown.reach), _lines)

@@ -1,4 +1,4 @@
-"""What is taken hold of in the 3D view: what a tool would click, a dial around the selected points for their weights,
+"""Gizmos of the 3D view: the place that a tool would click, a dial around the selected points for their weights,
 and the knot strip."""
 
 import bpy
@@ -128,7 +128,7 @@ class SPLINEWRIGHT_GGT_weight(bpy.types.GizmoGroup):
 
 
 class SPLINEWRIGHT_GT_strip(bpy.types.Gizmo):
-    """The knot strip, whose overlay draws it. What is pressed on it is not for what lies below."""
+    """The knot strip, whose overlay draws it. A press on it does not reach what lies below."""
 
     bl_idname = "SPLINEWRIGHT_GT_strip"
 

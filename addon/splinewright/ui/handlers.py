@@ -162,7 +162,7 @@ def _look_through():
 
 @persistent
 def frame_changes(*_):
-    """Other add-ons may move what is followed when the frame has changed: theirs comes first."""
+    """Other add-ons may move the inputs of followers when the frame has changed: theirs comes first."""
     chain = bpy.app.handlers.frame_change_post
     if frame_changed in chain[:-1]:
         chain.remove(frame_changed)

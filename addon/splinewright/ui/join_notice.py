@@ -1,6 +1,6 @@
 """Says that definitions ended where Blender's own Join, from its menu or the search, took shapes in.
 
-Blender tells no add-on of a join before it is done: what was selected at the last change is compared with what is left.
+Blender tells no add-on of a join before it is done: what was selected at the last change is compared with the objects that are left.
 """
 
 import bpy

@@ -75,7 +75,7 @@ class Shown(NamedTuple):
 
 
 class Hit(NamedTuple):
-    """What is at a pixel of a strip."""
+    """The part of a strip at a pixel."""
 
     shown: Shown
     axis: int
@@ -115,7 +115,7 @@ def is_on(context):
 
 
 def shown(context):
-    """What is Shown in the current 3D view, or None."""
+    """The Shown of the current 3D view, or None."""
     found = _active_bars(context) if is_on(context) else None
     if found is None:
         return None
@@ -142,12 +142,12 @@ def hit(context, x, y):
 
 
 def pointed(region, hit):
-    """What is Pointed at in a region where that is hit."""
+    """The Pointed of a region where that is hit."""
     return Pointed(region.as_pointer(), hit.shown.ob.data.name, hit.axis, hit.mark, hit.value)
 
 
 def pointed_at(found, region):
-    """The Hit at the mouse, of what is Shown in a region; None where it is elsewhere, or that is gone."""
+    """The Hit at the mouse, of the Shown in a region; None where it is elsewhere, or that is gone."""
     pointed = ui_state.pointed_knot
     if pointed is None or pointed[:2] != (region.as_pointer(), found.ob.data.name) or pointed.axis >= len(found.bars):
         return None

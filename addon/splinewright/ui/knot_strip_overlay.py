@@ -35,7 +35,7 @@ class Text(NamedTuple):
 
 
 class Picture(NamedTuple):
-    """What is drawn again until something changes."""
+    """Drawings kept until something changes."""
 
     batch: gpu.types.GPUBatch
     texts: tuple

@@ -65,7 +65,7 @@ def _arrow(foot, head):
 
 @contextmanager
 def nearer(part=1.0):
-    """While this is drawn in the current 3D view, the surface on which it lies does not hide it; nor what is drawn by a
+    """While this is drawn in the current 3D view, the surface on which it lies does not hide it; nor drawings by a
     smaller part of that nearer."""
     with gpu.matrix.push_pop_projection():
         distance = bpy.context.region_data.view_distance

@@ -50,7 +50,7 @@ def _others(concerns, *names):
 
 
 def _made(concerns, *kinds_and_icons):
-    """What is made of objects and follows them."""
+    """Constructions from objects, which follow them."""
     return tuple(Entry(f"add_{kind}", concerns, icon) for kind, icon in kinds_and_icons)
 
 

@@ -63,7 +63,7 @@ def undo_key():
 
 
 def refresh():
-    """Say in the status bar what is in the way; draw() says it in the views."""
+    """Show an obstacle in the status bar; draw() shows it in the views."""
     windows = bpy.context.window_manager.windows
     texts = ["   ".join(text for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
     if any(texts) or ui_state.status:      # what others wrote there meanwhile is gone either way

@@ -65,7 +65,7 @@ def _seen(self, ob, rows):
 
 
 def _put(self, ob, vertices, rows, seen, wanted):
-    """Move vertices from what is seen to what is wanted; nothing where that is the same."""
+    """Move vertices from the shown places to the wanted ones; nothing where these are the same."""
     changed = np.flatnonzero((wanted != seen).any(1))
     if not len(changed):
         return

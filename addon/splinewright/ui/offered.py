@@ -41,7 +41,7 @@ def is_gray(entry, obs):
 
 
 def _refuses(data, name, count):
-    """Whether a shape, of so many that are selected, refuses an operator."""
+    """Whether a shape, of all that are selected, refuses an operator."""
     if name in _REFUSING:
         return bool(_REFUSING[name](data))
     if why_not(data):

@@ -1,4 +1,4 @@
-"""What is worked out to be drawn over an object, kept until Blender tells of any change, or anything of the add-on is written."""
+"""Data for drawings over an object, kept until Blender reports any change, or anything of the add-on is written."""
 
 import bpy
 

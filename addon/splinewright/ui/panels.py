@@ -113,7 +113,7 @@ class SPLINEWRIGHT_PT_data(_ShapePanel, bpy.types.Panel):
 
     @staticmethod
     def active(context):
-        """What is pinned, or else the active object's; pinned data is seen without an object."""
+        """The pinned data, or else the active object's; pinned data is seen without an object."""
         ob = context.object
         data = getattr(context, 'mesh', None) or getattr(context, 'curve', None) or (ob.data if ob else None)
         return data, ob if ob is not None and ob.data == data else None

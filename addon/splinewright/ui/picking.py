@@ -35,7 +35,7 @@ def face_seen(context, region, view, pixel, depsgraph, ignored, most=64):
 
 
 def near(pixels=_NEAR):
-    """So many pixels of an interface that is not scaled, in those of this one."""
+    """Pixels of an unscaled interface, in pixels of this one."""
     return pixels * max(bpy.context.preferences.system.ui_scale, 1.0)
 
 
@@ -193,7 +193,7 @@ def pointed_at(x, y, obs, depsgraph):
 
 
 def point_at(region, view, pixel, nets, are_meant=lambda net: net.rows >= 0, within=_NEAR, sees=lambda place: True):
-    """(net, vertex) of what is nearest to a pixel of a region among the points and handles of nets, or None where nothing
+    """(net, vertex) nearest to a pixel of a region among the points and handles of nets, or None where nothing
     is near. are_meant: gives (n,) bool for a core.net.Net; within: pixels of an interface that is not scaled; sees: whether a
     place of the world counts."""
     found = [hit for ob in nets if ob.visible_get() for hit in _points_near(region, view, pixel, ob, are_meant, near(within))]

@@ -13,7 +13,7 @@ _OWNERS = (bpy.types.Mesh, bpy.types.Curve)
 
 
 def _changed(self, context):
-    """What Blender calls when a user, or a script, has changed a number; never for keys and drivers. Where nothing comes of
+    """Called by Blender when a user, or a script, has changed a number; never for keys and drivers. Where nothing results from
     it the number is shown again as it was."""
     data = self.id_data
     if not store.has_definition(data):

@@ -1,4 +1,4 @@
-"""The add-on's preferences. They work without the native library, to say what is wrong with it."""
+"""The add-on's preferences. They work without the native library, to explain the problem with it."""
 
 import bpy
 import rna_keymap_ui

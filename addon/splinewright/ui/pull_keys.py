@@ -31,7 +31,7 @@ class Keys:
 
     @property
     def distance(self):
-        """What was typed, or None where that is no number yet."""
+        """The typed number, or None where the text is incomplete."""
         return self.typed.number
 
     def vector(self, free, sight, step):

@@ -20,7 +20,7 @@ class SplinewrightTolerance(bpy.types.PropertyGroup):
 
 
 def options(parameter):
-    """What Blender's property of an operator takes for a parameter: what was typed once is not what is typed next time."""
+    """What Blender's property of an operator takes for a parameter: what was typed once does not stay for the next time."""
     return {'options': {'SKIP_SAVE'}} if parameter.of_scene else {}
 
 

@@ -32,7 +32,7 @@ class Section(NamedTuple):
 
 
 class _Seen(NamedTuple):
-    """What is drawn of an object."""
+    """The drawing of an object."""
 
     sections: list
     are_edges: bool

@@ -75,7 +75,7 @@ class Sight:
 
 
 def point_at(context, area, region, view, pixel, nets, **asked):
-    """picking.point_at() in a 3D view, among what is seen."""
+    """picking.point_at() in a 3D view, among visible shapes."""
     space = area.spaces.active
     sees = Sight(context, space, region, view).sees if hides(context, space) else lambda place: True
     return picking.point_at(region, view, pixel, nets, sees=sees, **asked)

@@ -56,7 +56,7 @@ def _face_at(context, region, view, pixel, ignored):
 
 
 def _places(name, corners, place):
-    """The corners of a face, the middles of its edges, or on each edge what is nearest to a place."""
+    """The corners of a face, the middles of its edges, or on each edge the nearest point to a place."""
     if name == 'VERTEX':
         return corners
     along = np.roll(corners, -1, axis=0) - corners

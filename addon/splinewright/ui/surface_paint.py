@@ -22,7 +22,7 @@ class Painted(NamedTuple):
 
 
 def draw(chosen, obs):
-    """In the 3D view at hand, over the faces of those objects that are surfaces."""
+    """In the current 3D view, over the faces of those objects that are surfaces."""
     found, context = _painted(chosen, obs), bpy.context
     reach = _reach(chosen, found)
     for ob, painted in found:

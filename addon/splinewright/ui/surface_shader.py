@@ -124,7 +124,7 @@ def batch(faces):
 
 
 def draw(prepared, matrix, kind, count=1.0, axis=(0.0, 0.0, 1.0), reach=1.0, colors=COLORS):
-    """In the 3D view at hand. kind: of PAINTS. reach: the number that has the last color; the first has the opposite one,
+    """In the current 3D view. kind: of PAINTS. reach: the number that has the last color; the first has the opposite one,
     or with DISTANCES 0."""
     view, used = gpu.matrix.get_model_view_matrix(), shader()
     projection = gpu.matrix.get_projection_matrix()

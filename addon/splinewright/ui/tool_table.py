@@ -13,7 +13,7 @@ _WITH_CTRL = ('EVENT_CTRL', 'MOUSE_LMB')
 
 class Tool(NamedTuple):
     """A tool: what it is called, the operator that its button calls, and with which settings and modifiers. shown: the
-    operator's settings in the header; of_patches: those there for patches only; preview: what is shown at the mouse, of
+    operator's settings in the header; of_patches: those there for patches only; preview: the preview at the mouse, of
     ui.gizmos; keys: pairs of icons and words for the status bar; is_always: whether it is there with nothing selected."""
 
     name: str

@@ -1,4 +1,4 @@
-"""What is shown of shapes beside themselves, worked out when their definition changes and not at every redraw."""
+"""Displays beside the shapes themselves, worked out when their definition changes and not at every redraw."""
 
 import time
 from contextlib import suppress
@@ -32,7 +32,7 @@ def survey_of(data):
 
 
 def seams_of(data):
-    """(what is measured along the seams of a Mesh's definition as it is now, and along creases, its size). Raises
+    """(the measures along the seams of a Mesh's definition as it is now, and along creases, its size). Raises
     store.UnreadableDefinition."""
     return _kept('seams', data, lambda definition: (seams.lines_of(definition, DRAWN), definition.size))
 

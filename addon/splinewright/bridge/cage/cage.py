@@ -274,7 +274,7 @@ def is_chosen(ob, index, kind):
 
 
 def choose(ob, index, kind, how):
-    """Select a vertex or an edge, as a click does: 'only' and 'extend' select it, 'deselect' ends that, 'toggle' does what is
+    """Select a vertex or an edge, as a click does: 'only' and 'extend' select it, 'deselect' ends that, 'toggle' does the one
     not so."""
     mesh = bmesh.from_edit_mesh(ob.data)
     part = _part(mesh, index, kind)

@@ -124,7 +124,7 @@ def end(ob):
 
 
 def remove(ob):
-    """Take a net out of the file, and what is said of it.
+    """Take a net out of the file, and all messages about it.
 
     Without Blender's global undo it only goes out of sight: the steps of its Edit Mode are kept all the same, and Blender
     crashes where it does not find the net of one. See awakened().

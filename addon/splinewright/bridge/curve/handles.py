@@ -13,7 +13,7 @@ KEY = "splinewright_handles"
 
 
 def read(data, definition=None):
-    """The types of a shape's pieces; () where nothing is said of any. Raises UnreadableDefinition where what is stored is
+    """The types of a shape's pieces; () where none are given. Raises UnreadableDefinition where the stored data is
     none. definition: of the shape, where it is known."""
     if KEY not in data.keys():
         return ()

@@ -1,1 +1,1 @@
-"""Data-blocks and settings: where definitions are stored, and what is remembered of the open file."""
+"""Data-blocks and settings: where definitions are stored, and the state of the open file."""

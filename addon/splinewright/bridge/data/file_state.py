@@ -96,7 +96,7 @@ def block_of(key):
 
 
 def remember(known, key, value, most):
-    """Keep a value in a dictionary of at most so many; the oldest go."""
+    """Keep a value in a dictionary of limited size; the oldest go."""
     known.pop(key, None)
     while len(known) >= most:
         del known[next(iter(known))]

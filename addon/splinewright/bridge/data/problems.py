@@ -46,6 +46,6 @@ def clear(data):
 
 
 def forget(about):
-    """Take what is about one thing away from all data-blocks: it will be told again if it still is so."""
+    """Remove problems of one kind from all data-blocks: those that remain will be reported again."""
     for of_data in state.problems.values():
         of_data.pop(about, None)

@@ -90,7 +90,7 @@ def _is_same(value, content):
 
 
 def _are_same(one, other):
-    """Whether arrays (n,) have the same bytes: 0.0 is not -0.0, and what is no number is itself."""
+    """Whether arrays (n,) have the same bytes: 0.0 is not -0.0, and NaN equals itself."""
     if one.dtype != other.dtype or one.shape != other.shape:
         return False
     bits = f'u{one.dtype.itemsize}'

@@ -48,7 +48,7 @@ def assign(owner, key, value):
 
 
 def overwrite(owner, key, values):
-    """assign() (n,) float64, in what is there where that is as many: to make it again takes longer than a step of a drag may."""
+    """assign() (n,) float64, into the stored array where its size fits: making a new one takes longer than a step of a drag may."""
     there = owner.get(key)
     if getattr(there, 'typecode', None) == 'd' and len(there) == len(values):
         numbers = np.asarray(there)
@@ -88,7 +88,7 @@ def _group(data):
 
 
 def is_group(stored):
-    """Whether what is stored has its own keys; a data-block that is pointed to is none."""
+    """Whether the stored value has keys; a data-block that is pointed to is none."""
     return isinstance(stored, IDPropertyGroup)
 
 
@@ -98,7 +98,7 @@ def _unreadable(reason):
 
 
 def write_draft(data, definition, stamp):
-    """write() for what is shown in a hurry, without exact normals."""
+    """write() for a quick display, without exact normals."""
     group = data[KEY]
     if group.get('structure') == _structure(definition) and len(group.get('pool')) == definition.pool.size:
         overwrite(group, 'pool', np.ascontiguousarray(definition.pool, dtype=np.float64).ravel())
@@ -110,7 +110,7 @@ def write_draft(data, definition, stamp):
 
 
 def is_draft(data):
-    """Whether what is shown lacks its exact normals."""
+    """Whether the display lacks exact normals."""
     return KEY in data.keys() and is_group(data[KEY]) and _DRAFT in data[KEY].keys()
 
 
@@ -135,7 +135,7 @@ def write_final(data, stamp):
 
 
 def read_stamp(data):
-    """The stamp as a list, or None where none was kept or what is there is none."""
+    """The stamp as a list, or None where none was kept or it is damaged."""
     group = data[KEY]
     numbers = group.get(_STAMP) if is_group(group) else None
     if getattr(numbers, 'typecode', None) != 'd':
@@ -190,7 +190,7 @@ def _definition(found):
 
 
 def valid(group):
-    """decoded() of what is stored, of which the library makes a value. Raises Refusal where it is damaged."""
+    """decoded() of the stored data, of which the library makes a value. Raises Refusal where it is damaged."""
     return _valid(lambda: readings.contents_of(group))
 
 
@@ -261,7 +261,7 @@ def decoded(group):
 
 
 def _whole(number):
-    """A count. Raises Refusal for what is none."""
+    """A count. Raises Refusal for anything else."""
     if type(number) is not int or not 0 <= number < _MOST:
         raise ValueError(f"{number!r} is no count")
     return number

@@ -204,7 +204,7 @@ def is_baked(data):
 
 
 def frames(data):
-    """The first and last frame of what is baked, as words."""
+    """The first and last frame of the bake, as words."""
     return f"{data[KEY].get('first')} to {data[KEY].get('last')}"
 
 

@@ -33,7 +33,7 @@ def new_object(source, name, curves, axes):
 
 
 def _without_shear(value, matrix):
-    """Curves as they lie in the place that an object without a parent can take in the place of that matrix."""
+    """Curves as they lie in the place that an object without a parent can have instead of that matrix."""
     world, plain = (np.array(one, dtype=np.float64) for one in (matrix, Matrix.LocRotScale(*matrix.decompose())))
     size = np.abs(world).max()
     if np.abs(world - plain).max() <= 1e-6 * size or np.linalg.det(plain[:3, :3]) == 0:

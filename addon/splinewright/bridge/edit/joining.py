@@ -118,7 +118,7 @@ def join_patches(active, other, first, second, smoothness, moves):
 
 @contextmanager
 def _naming(active, other):
-    """What is refused of the patches of two shapes names these, or the one that both are."""
+    """A refusal about the patches of two shapes names these, or the one that both are."""
     try:
         yield
     except AboutInputs as error:

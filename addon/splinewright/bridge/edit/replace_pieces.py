@@ -37,7 +37,7 @@ def can_change(data):
 
 
 def seems_changeable(data):
-    """can_change() as it was when Blender last reported a change, for what is drawn again and again."""
+    """can_change() as it was when Blender last reported a change, for repeated drawing."""
     try:
         recipes.require_free(data)
         shape.require_writable(data)

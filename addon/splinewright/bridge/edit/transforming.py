@@ -45,7 +45,7 @@ def apply(ob, location, rotation, scale):
 
 
 def _require_still(ob, location, rotation, scale):
-    """Raises Refusal where keys or drivers would put back what is taken out."""
+    """Raises Refusal where keys or drivers would put back the part that is taken out."""
     for name, is_taken in (('location', location), ('rotation', rotation), ('scale', scale)):
         # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
         if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):

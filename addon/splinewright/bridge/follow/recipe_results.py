@@ -26,7 +26,7 @@ def work(recipe, values, sources, space, frames=(), turned=()):
 
 
 def made_of(stored, space):
-    """(whether that is all, what result() depends on for a recipes.Stored), to be compared with what that was. Of what is no shape
+    """(whether that is all, what result() depends on for a recipes.Stored), to be compared with what that was. Of anything but a shape
     nothing can be told but its place."""
     recipe, sources, digests = stored.recipe, stored.sources, []
     for source in sources:

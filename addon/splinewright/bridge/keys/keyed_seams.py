@@ -1,5 +1,5 @@
 """Joints and seams that hold while keys move points: what follows them, and from where, so that a frame is the same whichever came
-before it. Kept beside the definition; what is damaged of it counts as none."""
+before it. Kept beside the definition; damaged parts count as missing."""
 
 from dataclasses import replace
 

@@ -80,7 +80,7 @@ def count(data):
 
 
 def given(data, evaluated):
-    """(the definition with what keys and drivers give to its points, None where it has that; what is not taken, or "")."""
+    """(the definition with what keys and drivers give to its points, None where it has that; what the shape does not take, or "")."""
     is_given = animated(data)
     chosen = np.flatnonzero(is_given.any(1))
     if not len(chosen) or len(of(evaluated)) != len(is_given):
@@ -198,7 +198,7 @@ def clear(data, items, drivers_too=True):
 
 
 def remove(data):
-    """A data-block is no shape any more."""
+    """A data-block has stopped being a shape."""
     if not len(of(data)):
         return
     of(data).clear()

@@ -34,7 +34,7 @@ def write_parameters(mesh, tessellation):
 
 
 def lies_as(mesh, tessellation):
-    """Whether each corner of a mesh with these faces lies where write_parameters() would say, if the mesh says it at all."""
+    """Whether each corner of a mesh with these faces lies where write_parameters() would put it, if the mesh has these at all."""
     known = mesh_layers.parameters(mesh, tessellation.corner_vertices)
     return known is None or np.array_equal(known, _parameters(tessellation))
 
@@ -207,7 +207,7 @@ class _Found:
 
 
 def _apart(parameters):
-    """Parameters as points of space, each patch on a level of its own."""
+    """Parameters as points of space, each patch on a separate level."""
     return parameters * np.array([1, 1, 10], np.float32)
 
 

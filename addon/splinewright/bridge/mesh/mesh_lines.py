@@ -24,7 +24,7 @@ class Lines(NamedTuple):
 
     @property
     def steps(self):
-        """(n, 2): how far each goes along u and v."""
+        """(n, 2): how far each reaches along u and v."""
         return self.rows[:, 3:] - self.rows[:, 1:3]
 
     @property

@@ -60,7 +60,7 @@ def _all_cleared(marks, sides):
 
 
 def _of_edges(layer, sides, known):
-    """The Marks of a Layer: what is known where the edges have just that, else what they have."""
+    """The Marks of a Layer: the known ones where the edges have just those, else what they have."""
     values, nothing = layer.values, np.zeros((0, layer.values.shape[1]), layer.values.dtype)
     if known is not None and np.array_equal(known.on(sides), values):
         return known

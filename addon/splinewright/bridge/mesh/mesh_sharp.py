@@ -26,8 +26,8 @@ def of_users(mesh, flags):
 
 
 def mark(mesh, sharp, users, flags):
-    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others. flags: what is
-    marked(). Returns what is then."""
+    """Mark the edges of these pairs of vertices sharp, those of the user, (edges,) or None, and no others. flags: the
+    present marked(). Returns the new one."""
     wanted = users
     if len(sharp):
         of_surface = _between(mesh, sharp)

@@ -37,7 +37,7 @@ def read(ob, depsgraph=None):
 
     With a depsgraph the points are those evaluated there: animated shape keys, and on curves hooks and
     other modifiers that move control points. Without one modifiers have no effect. In Edit Mode it is
-    what is being edited. Raises Refusal with a sentence where it cannot be told what Blender draws.
+    the edited state. Raises Refusal with a sentence where it is unclear what Blender draws.
     """
     if ob.type not in ('CURVE', 'SURFACE'):
         raise Refusal(f"{ob.name} is not a curve or surface")

@@ -37,7 +37,7 @@ def alone(context, ob):
 
 
 def _select(layer, chosen, active):
-    """Nothing but what is chosen."""
+    """Only the chosen objects."""
     for other in layer.objects:
         if other:
             other.select_set(False)

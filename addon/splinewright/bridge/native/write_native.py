@@ -50,7 +50,7 @@ def plan(value):
 
 
 def write_curves(data, planned, steps, types=()):
-    """Give a curve data-block the planned splines in place of its own. steps: ours in a span; types: of the handles of each
+    """Give a curve data-block the planned splines in place of the present ones. steps: ours in a span; types: of the handles of each
     piece, where they are known.
 
     Returns the measured deviation, in units of the object: float32 rounding, about 1e-6 of the size.

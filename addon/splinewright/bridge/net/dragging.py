@@ -26,7 +26,7 @@ class Drag(NamedTuple):
 
 
 def occasion(updates):
-    """What is the same while one gesture lasts and nobody else does anything: the operators that have ended, and what of
+    """Facts that stay the same while one gesture lasts and nobody else does anything: the operators that have ended, and what of
     which data-blocks Blender says it has evaluated again."""
     return ended_operators(), [(update.id.as_pointer(), update.is_updated_geometry, update.is_updated_transform)
                                for update in updates]

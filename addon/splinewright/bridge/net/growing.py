@@ -58,7 +58,7 @@ def _before(stage, numbers):
 
 
 def ignore_called_off(data, current):
-    """Pass over what was extruded and called off once for all: it is no point either when the one it is of moves away."""
+    """Pass over what was extruded and called off once for all: it stays left out when the one it is of moves away."""
     runs = _runs(data, current.net)
     numbers = _core(current.net).settled(runs)
     if numbers is not None:

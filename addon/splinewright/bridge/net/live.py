@@ -41,7 +41,7 @@ _WAITS = "the shape takes up the new rows when the slide has ended"
 
 
 class Session:
-    """What is worked out once for a net. Rebuilt at will: it holds no truth."""
+    """Values worked out once for a net. Rebuilt at will: it holds no truth."""
 
     def __init__(self, net):
         self.made_with = net

@@ -39,7 +39,7 @@ def readmit(ob):
 
 
 def _moving_with(edited, obs):
-    """Objects that show what is edited, or are made from that."""
+    """Objects that show the edited shape, or are made from that."""
     found, blocks = set(edited), {ob.data for ob in edited}
     is_more = True
     while is_more:

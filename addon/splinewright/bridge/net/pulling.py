@@ -1,4 +1,4 @@
-"""What is pulled at: the points of a net in Edit Mode, which its shape follows, or a shape in Object Mode."""
+"""The target of a pull: the points of a net in Edit Mode, which its shape follows, or a shape in Object Mode."""
 
 import numpy as np
 

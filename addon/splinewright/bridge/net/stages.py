@@ -68,7 +68,7 @@ def _decoded(data, first, group):
 
 
 def keep(data, stages):
-    """Store what is not stored yet of these Stages: undo outside of Edit Mode takes away what was stored since."""
+    """Store those of these Stages that are not stored yet: undo outside of Edit Mode takes away what was stored since."""
     group = data[net_object.KEY].get(_STAGES)
     names = group.keys() if store.is_group(group) else ()
     missing = [stage for first, stage in stages.items() if first and str(first) not in names]
@@ -114,7 +114,7 @@ def after(stages, parent, grown, answered):
 
 
 def digest(data):
-    """What tells from each other what is found in Blender."""
+    """A key that distinguishes shapes found in Blender."""
     found = hashlib.sha256()
     for part in net_object.kind_of(data).everything(data):
         found.update(part)

@@ -1,8 +1,8 @@
 """The space in which a shape is made from objects, and where those lie in it.
 
-A shape that stays on its inputs is made in the space of its own object. One that moves freely has a space beside it: that stays
+A shape that stays on its inputs is made in the space of the object itself. One that moves freely has a space beside it: that stays
 where it is while the shape is moved, or an input, and moves along where all of them are moved as one. What Apply took out of the
-object is done to what is made there, after it was made: axes, planes and lengths mean what they meant.
+object is applied to the shape made there, after it was made: axes, planes and lengths mean what they meant.
 """
 
 from typing import NamedTuple
@@ -154,7 +154,7 @@ def _applied(data):
 
 
 def _matrices(data, name):
-    """Raises UnreadableDefinition for what is damaged."""
+    """Raises UnreadableDefinition for damaged data."""
     try:
         found = np.array(data[recipes.KEY].get(name, ()), dtype=np.float64).reshape(-1, 4, 4)
         if np.isfinite(found).all() and (len(found) or name != _PLACE):

@@ -239,7 +239,7 @@ def remove(data):
 
 
 def require_free(data):
-    """Raises Refusal where a recipe would write over what is changed by other ways."""
+    """Raises Refusal where a recipe would overwrite changes made by other means."""
     if follows(data):
         raise Refusal(f"{data.name} follows another object: use Apply Construction first")
     if has(data):

@@ -9,7 +9,7 @@ from . import shape
 
 def of(ob, layer, view=None):
     """The matrices that lead from the space of an object into the world: its own, and those of its images in mirrors and in the
-    instances of a view layer. view: the space of a 3D view, where what is hidden in that alone is left out."""
+    instances of a view layer. view: the space of a 3D view, where objects hidden in that view alone are left out."""
     own = _in_mirrors(ob)
     where = {'view_layer': layer} if view is None else {'view_layer': layer, 'viewport': view}
     found = list(own) if ob.visible_get(**where) else []

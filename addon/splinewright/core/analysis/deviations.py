@@ -1,4 +1,4 @@
-"""How far places of a shape lie from something else: measured at all, or at so many that the others lie between them."""
+"""How far places of a shape lie from something else: measured at all of them, or at enough that the others lie between."""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,7 @@ _LEAST = 9
 
 @dataclass(eq=False)
 class Deviation:
-    """Distances, and what is largest and what mean of them over the whole shape; nan where there are none."""
+    """Distances, and their largest and mean over the whole shape; nan where there are none."""
 
     values: np.ndarray
     largest: float
@@ -24,7 +24,7 @@ class Deviation:
 
 
 def at_places(patch_set, places, most):
-    """The core.analysis.measuring.Plan of core.analysis.faces.Places of patches: about no more points than so many."""
+    """The core.analysis.measuring.Plan of core.analysis.faces.Places of patches: about a limited number of points."""
     most = max(most // len(patch_set), _LEAST)
     order = np.argsort(places.patches, kind='stable')
     numbers, starts = np.unique(places.patches[order], return_index=True)

@@ -36,7 +36,7 @@ def isocurves(patches, count):
 
 
 def normals(patches, count, length):
-    """(n, 2, 3): normals of patches of a length, so many in every span each way, and at its ends."""
+    """(n, 2, 3): normals of patches of a length, a given number in every span each way, and at its ends."""
     found = []
     for patch in patches:
         at = [np.unique(np.concatenate(_between(ends_of(Along(patch, axis)), count))) for axis in 'uv']

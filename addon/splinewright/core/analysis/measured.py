@@ -138,7 +138,7 @@ def fractions_of(piece, parameters):
 
 
 class Place(NamedTuple):
-    """What is shown of a place of a curve or patch while one points at it."""
+    """The values shown at a place of a curve or patch while one points at it."""
 
     point: np.ndarray                   # (3,)
     arms: tuple                         # unit vectors: tangent and normal of a curve; along u, along v and normal of a patch

@@ -10,7 +10,7 @@ _FIRST, _SHARE = 64, 0.25
 
 
 class Plan(NamedTuple):
-    """What is measured of a shape."""
+    """The measures of a shape."""
 
     points: np.ndarray                  # (n, 3)
     spread: Callable                    # gives, of their distances (n,), those of all places

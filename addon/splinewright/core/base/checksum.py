@@ -59,7 +59,7 @@ def _sum(pairs, factors):
     """Of pairs, with the factors of their places, modulo 2^64.
 
     A product with an odd number keeps the highest bit that changed and forgets those it would carry to: so high bits, signs
-    say, are laid over low ones before. By 29, not by 32: two numbers of a pair whose signs flip would meet.
+    for example, are laid over low ones before. By 29, not by 32: two numbers of a pair whose signs flip would meet.
     """
     total = 0
     for start in range(0, len(pairs), _BLOCK):

@@ -33,7 +33,7 @@ class AboutInputs(Refusal):
 
 @contextmanager
 def about_input(number):
-    """What is refused in here lies in the input of a number, from 0."""
+    """A refusal in here concerns the input of a number, from 0."""
     try:
         yield
     except AboutInputs:

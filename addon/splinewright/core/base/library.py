@@ -28,7 +28,7 @@ def _place():
 
 
 def _damage(folder, sizes):
-    """What is wrong with the compiled module's file, or ""."""
+    """The problem with the compiled module's file, or ""."""
     name = next((n for n in (f"_splinecore{suffix}" for suffix in EXTENSION_SUFFIXES) if n in sizes), None)
     if name is None:
         return "was not made for it"

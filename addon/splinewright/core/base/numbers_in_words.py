@@ -4,7 +4,7 @@ from .failures import Refusal
 
 
 def numbers_of(text, noun, count=None):
-    """The numbers in a text such as "1, 4-6", each once in their order, of so many where that is given. Raises Refusal."""
+    """The numbers in a text such as "1, 4-6", each once in their order, of a total number where that is given. Raises Refusal."""
     found = set()
     for word in text.replace(',', ' ').split():
         first, dash, last = word.partition('-')

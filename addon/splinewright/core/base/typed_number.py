@@ -26,7 +26,7 @@ class Typed(NamedTuple):
 
 
 def after(typed, character):
-    """The text when a character is added, or None where it is no part of a number."""
+    """The text when a character is added, or None where it cannot be part of a number."""
     if character == '-':
         return typed._replace(is_negative=not typed.is_negative)
     character = character.replace(",", ".")

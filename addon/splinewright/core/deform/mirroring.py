@@ -40,7 +40,7 @@ class Mirrored(NamedTuple):
 
 
 def mirrored(definition, plane, gap, is_smooth):
-    """A shape and its image. Ends and borders within a gap of the plane go onto it; is_smooth: what is next to them goes so that
+    """A shape and its image. Ends and borders within a gap of the plane go onto it; is_smooth: the neighboring points move so that
     tangent planes, and with them curvatures, continue across it: by symmetry they do where the shape leaves the plane at right
     angles. Raises Refusal where weights are in the way of that, and where all lies in the plane."""
     pieces = [piece.to_nurbs() for piece in verbs.pieces_of(definition)]

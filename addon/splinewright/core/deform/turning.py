@@ -116,7 +116,7 @@ def _one_line(weights):
 
 
 def _onto_circle(form, line):
-    """(3, 3): to (w, w cos, w sin), where w is the line; None where it is no ellipse that this line leaves whole."""
+    """(3, 3): to (w, w cos, w sin), where w is the line; None unless it is an ellipse that this line leaves whole."""
     _, _, rest = np.linalg.svd(line[None])
     basis = np.vstack([line, rest[1:]])
     back = np.linalg.inv(basis)

@@ -1,1 +1,1 @@
-"""What is drawn by clicks: contours, guides, and places to snap to."""
+"""Drawing by clicks: contours, guides, and places to snap to."""

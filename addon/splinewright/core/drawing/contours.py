@@ -1,4 +1,4 @@
-"""Contours that are drawn point after point: segments, and arcs that continue from what is before them."""
+"""Contours that are drawn point after point: segments, and arcs that continue the part before them."""
 
 import math
 from typing import NamedTuple

@@ -12,8 +12,8 @@ STEP = math.radians(15.0)
 
 
 def next_point(away, way=None, is_held=False, length=None, angle=None):
-    """(2,): from the point before to the next one. away: to the mouse; way: as what is before ends, or None; angle: in radians
-    from that, or from the right, counterclockwise."""
+    """(2,): from the point before to the next one. away: to the mouse; way: the direction in which the part
+    before ends, or None; angle: in radians from that, or from the right, counterclockwise."""
     away = np.asarray(away, dtype=np.float64)
     base = _direction(way)
     if angle is not None:

@@ -36,7 +36,7 @@ class Survey(NamedTuple):
 
 
 def in_words(measured, degree):
-    """Parametric and geometric continuity in one word, where so many derivatives are all."""
+    """Parametric and geometric continuity in one word, where this number of derivatives is all."""
     if measured.c < 0:
         return "gap"
     return "C∞" if measured.c >= degree else f"C{measured.c} G{measured.g}"

@@ -32,7 +32,7 @@ class Held(NamedTuple):
 
 
 class Contradiction(Refusal):
-    """What is to hold does not hold together."""
+    """The joints that are to hold do not hold together."""
 
     def __init__(self):
         super().__init__("the locked continuities contradict each other: unlock a joint or seam")
@@ -92,7 +92,7 @@ def _room(definition):
 
 
 def shifted(seams, count):
-    """Seams of pieces before which there are so many more now."""
+    """Seams of pieces after pieces were inserted before them."""
     return tuple(seam._replace(first=(seam.first[0] + count, seam.first[1]), second=(seam.second[0] + count, seam.second[1]))
                  for seam in seams)
 

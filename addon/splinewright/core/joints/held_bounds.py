@@ -29,7 +29,7 @@ def kept(definition, seams, led=frozenset(), before=None):
     """The Kept of a definition. led: rows of the pool that a hand moves. before: the pool in which the seams held last.
 
     Of what keeps all as smooth as it is to be, within REACH, that is taken by which the fewest points go along: those of the side
-    that gives way, or of both sides, but for what the hand moves, by the least sum of squares. Where nothing does, what is touched
+    that gives way, or of both sides, but for what the hand moves, by the least sum of squares. Where nothing does, the touched part
     is kept less smooth, at worst C0. Raises Refusal, or an error of the library, where one takes other knots or has no edge.
     """
     known = before if before is not None and before.shape == definition.pool.shape else None

@@ -56,7 +56,7 @@ def surveyed(definition, limit):
 
 
 def lines_of(definition, limit):
-    """What is measured along the first seams of a definition, and along the creases inside its patches."""
+    """The measures along the first seams of a definition, and along the creases inside its patches."""
     seams, _ = seams_of(definition, limit)
     return [one.measured for one in (*seams, *creases_of(definition)[0]) if one.measured is not None]
 

@@ -46,7 +46,7 @@ def extend_to(ends, others, how, cancel=None):
 
 
 def trim(parameter, others, cancel=None):
-    """Without what is about a parameter, up to where it meets the others."""
+    """Without the part about a parameter, up to where it meets the others."""
     return lambda curve: curve.trimmed(_but(curve, others), _in_domain(curve, parameter), cancel=cancel)
 
 

@@ -1,4 +1,4 @@
-"""A cage of patches as it is now: its vertices, what is connected, and ways that go straight on over quads."""
+"""A cage of patches as it is now: its vertices, its connections, and ways that go straight on over quads."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -114,7 +114,7 @@ class _Ways:
         return self._known[one, other]
 
     def through(self, one, other, count):
-        """between(); at a pole so many times that."""
+        """between(); at a pole a multiple of that."""
         if min(one, other) < 0:
             return None
         return [one] * count if one == other else self.between(one, other)
@@ -128,7 +128,7 @@ def _pairs(slots, axis, periodic):
 
 
 def _cut(cage, found, periodic):
-    """Take up what was cut in; False where what is between neighbors is not told."""
+    """Take up the inserted cut; False where the part between neighbors is unknown."""
     ways, by_pair, lengths, halves = _Ways(cage), defaultdict(list), {}, []
     for i, (plan, around) in enumerate(zip(found, periodic)):
         for axis in (0, 1):

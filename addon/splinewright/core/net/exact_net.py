@@ -115,7 +115,7 @@ class Net:
 
     @cached_property
     def neighbors(self):
-        """(k, 2): pairs of vertices that are connected, a closed curve's last and first left out: what is drawn on from
+        """(k, 2): pairs of vertices that are connected, a closed curve's last and first left out: the edge that is drawn from
         there is connected to both. Handles of Bezier points count as beside those of the next."""
         pairs = [np.asarray(some, dtype=np.int64).reshape(-1, 2) for some in (*self.lines, self.arrows)]
         first = 0

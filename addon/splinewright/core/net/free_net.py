@@ -1,4 +1,4 @@
-"""The net of points that may become more and fewer: the digits behind what is there now."""
+"""The net of points that may become more and fewer: the digits behind the present points."""
 
 from dataclasses import replace
 

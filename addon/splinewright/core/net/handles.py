@@ -82,7 +82,7 @@ def _ways(points, closed):
 
 
 def _scale_of(points):
-    """A power of two: what is divided by it can be squared and added."""
+    """A power of two: a number divided by it can be squared and added."""
     return 2.0 ** np.frexp(max(float(np.abs(points).max(initial=0.0)), 1e-300))[1]
 
 
@@ -155,7 +155,7 @@ def said(definition, types, before):
 
 def of_net(net, types):
     """(n,) of each vertex of a core.net.exact_net.Net the letter of the handle that it is, "" of others. types: of the
-    pieces; what is not said or not true is as it lies."""
+    pieces; missing or wrong types follow from where the handles lie."""
     letters = np.zeros(len(net.rows), '<U1')
     for first, spline in net.chains:
         if types[spline.piece]:

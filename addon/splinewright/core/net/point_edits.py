@@ -23,7 +23,7 @@ class Edited(NamedTuple):
 
 
 class Point(NamedTuple):
-    """What is added at an end: where, its weight, and where the handles of a chain stand."""
+    """The point added at an end: where, its weight, and where the handles of a chain stand."""
 
     position: np.ndarray
     weight: float = 1.0

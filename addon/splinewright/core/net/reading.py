@@ -31,7 +31,7 @@ class Present:
 
 
 class Reading(NamedTuple):
-    """The state of a net's vertices, and in words what the shape does not take, and what is passed over."""
+    """The state of a net's vertices, and in words what the shape does not take and what was passed over."""
 
     state: Exact
     slots: np.ndarray                   # (n,) of each vertex the slot among those present, or -1
@@ -54,7 +54,7 @@ def slots(net, present):
 
 
 def read(net, present, typed, last):
-    """The Reading of what is present. typed: as of exact_net.exact(); last: a function that gives a Net of the points
+    """The Reading of the present vertices. typed: as of exact_net.exact(); last: a function that gives a Net of the points
     as the shape has them, asked only where some cannot be read."""
     found = slots(net, present)
     there = found >= 0
@@ -85,7 +85,7 @@ def read(net, present, typed, last):
 
 
 def _at(slots, there, present, otherwise):
-    """A new array of what is present at slots, and in its place where they are not there of what was."""
+    """A new array of the present values at slots, and of the former ones where a slot is missing."""
     if there.all():
         return present[slots]
     result = otherwise.copy()
@@ -118,7 +118,7 @@ def _problem(count, gone, are_others_there, is_wild, is_zero, has_no_weights):
 
 
 def note(extra, is_void=False):
-    """What is said of a number of strays, and of handles that lead to them."""
+    """The message about a number of strays, and of handles that lead to them."""
     if not extra:
         return ""
     beside = ", nor does it take handles that lead to new ones" if is_void else ""

@@ -39,7 +39,7 @@ class Face:
 
 @dataclass
 class Edge:
-    """What is rounded as one: pairs of Sides, the first ones of faces that continue as each other, and the second ones."""
+    """Edges that are rounded as one: pairs of Sides, the first ones of faces that continue as each other, and the second ones."""
 
     number: int                         # as users count: from 1
     pairs: list = field(default_factory=list)

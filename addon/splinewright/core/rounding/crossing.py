@@ -25,7 +25,7 @@ class Cut(NamedTuple):
 
 def cut_back(first, second, first_side, second_side, cancel=None):
     """The Cut of two patches that meet in one curve. Sides: where the rest of each has it, 'nearest' for the larger part.
-    Raises Refusal where they do not, or where it is no line of u or v of either from side to side."""
+    Raises Refusal where they do not, or where it runs along neither u nor v of either from side to side."""
     size = max(np.ptp(np.asarray(patch.to_nurbs().points).reshape(-1, 3), axis=0).max() for patch in (first, second))
     found = first.sections(second, tolerance=_FINE * size, cancel=cancel)
     if len(found.curves) == 0:
@@ -44,7 +44,7 @@ def cut_back(first, second, first_side, second_side, cancel=None):
 
 
 def _kept(patch, points, ends, side, name):
-    """(what is kept of a patch, its side on which points lie). Raises Refusal."""
+    """(the part of a patch that is kept, its side on which points lie). Raises Refusal."""
     parameters = patch.nearest(points).parameters
     domain = np.array(patch.domain)
     lengths = domain[:, 1] - domain[:, 0]

@@ -33,7 +33,7 @@ def require_single(pool, rows):
 def taken(definition, rows, given, is_given):
     """(the definition with what rows (k,) are given, itself where they have that; why some of it is not taken, or "").
 
-    given: (k, 4) float32, of which only is_given (k, 4) counts. What is the row's number in float32 stays as it is.
+    given: (k, 4) float32, of which only is_given (k, 4) counts. A value that equals the row's number in float32 stays as it is.
     """
     pool = definition.pool[rows]
     with np.errstate(over='ignore'):

@@ -64,7 +64,7 @@ class MovedPositions:
 
     def _tried(self, before, rows):
         """The vertices that move where those rows do, to any place, or None where that may be any: the rows are moved in all
-        coordinates, and it is seen what is written."""
+        coordinates, and the vertices that change are seen."""
         sizes = np.abs(before.weights)
         if not (_LEAST < sizes.min() and sizes.max() < _MOST):
             return None

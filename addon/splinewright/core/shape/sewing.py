@@ -66,7 +66,7 @@ class _Links:
 
 
 def _rows(pool, kept, pieces, are_linked):
-    """For each row of the pool the one to take in its place. The first `kept` rows stay, unless patches are joined that have them."""
+    """For each row of the pool its replacement. The first `kept` rows stay, unless patches are joined that have them."""
     rows = [np.unique(_border(piece)) for piece in pieces]
     owners = np.repeat(np.arange(len(pieces)), list(map(len, rows)))
     rows = np.concatenate(rows)

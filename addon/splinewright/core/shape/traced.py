@@ -84,5 +84,5 @@ class Traced:
 
 
 def bare(value):
-    """What is Traced, or anything else as it is."""
+    """The value of a Traced, or anything else as it is."""
     return value.curve if isinstance(value, Traced) else value

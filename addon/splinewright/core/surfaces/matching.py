@@ -32,13 +32,13 @@ def half_way(first, first_side, second, second_side, continuity, rows, strength,
 
 
 def _moved(patch, other):
-    """How far points move at equal parameters, as far as is seen at so many of them."""
+    """How far points move at equal parameters, as far as a number of samples shows."""
     at = [np.linspace(*domain, _PLACES) for domain in patch.domain]
     return float(np.linalg.norm(patch.evaluate_grid(*at) - other.evaluate_grid(*at), axis=-1).max())
 
 
 def _between(patch, other):
-    """Half way from a patch to one over the same domain, whose knots have all of its own and more."""
+    """Half way from a patch to one over the same domain, whose knots include its knots."""
     for number, axis in enumerate(_AXES):
         more = other.degree[number] - patch.degree[number]
         patch = patch.elevate(axis, more) if more else patch

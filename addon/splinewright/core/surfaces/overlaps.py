@@ -1,5 +1,5 @@
 """Where surfaces that were made cross themselves, in words: nothing is refused for that, but it is to be told. Of rails and of thick
-surfaces places all over are looked at, so that what is much smaller than what lies between them is not seen."""
+surfaces are sampled all over, so that anything much smaller than the gaps between samples is not seen."""
 
 import itertools
 
@@ -37,7 +37,7 @@ def of_profile(curves, way, cancel=None):
 
 
 def _told(find):
-    """(what is found, or None, why that is not told)."""
+    """(the overlap, or None, why that is unknown)."""
     try:
         return find(), ""
     except (sc.InvalidShape, sc.ToleranceNotReached) as error:
@@ -78,7 +78,7 @@ def _are_apart(a, b):
 
 
 def of_turned(curves, through, direction, sweep, cancel=None):
-    """Of what curves make that turn about an axis: where they cross it, or themselves."""
+    """Of the surface that curves make around an axis: where they cross it, or themselves."""
     for number, curve in enumerate(curves, 1):
         whose = _named(number, len(curves))
         at = _crosses_axis(curve.to_nurbs(), through, direction) if abs(sweep) > np.pi else None
@@ -139,7 +139,7 @@ def of_rail(patch, rail):
 
 
 def of_thick(patch, other, distance):
-    """Of a side at a distance from a patch, along its normals: where that goes through another part of what is between them."""
+    """Of a side at a distance from a patch, along its normals: where that passes through another part of the space between them."""
     patch, other = patch.to_nurbs(), other.to_nurbs()
     at = [_places(knots, domain, _ACROSS) for knots, domain in zip(other.knots, other.domain)]
     step = 1 + len(at[0]) * len(at[1]) // _MOST
@@ -159,7 +159,7 @@ def of_thick(patch, other, distance):
 
 
 def _places(knots, domain, count):
-    """Parameters in all spans: so many in each, and fewer where there are many."""
+    """Parameters in all spans: a given number in each, and fewer where there are many."""
     ends = np.unique(np.clip(knots, *domain))
     count = max(2, min(count, _MOST // (8 * len(ends))))
     return np.unique(np.concatenate([np.linspace(a, b, count + 1) for a, b in zip(ends[:-1], ends[1:])]))

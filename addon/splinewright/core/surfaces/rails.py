@@ -16,7 +16,7 @@ _LEVEL = 0.7
 def upright(profiles, spaces):
     """Profiles of which each one's own x and y, as long as they are in the scene, become those of the rail's frame.
 
-    spaces: (4, 4) of each, from its own to where it lies. One that is drawn in another of its own planes is laid into x and y.
+    spaces: (4, 4) of each, from local to where it lies. One that is drawn in another local plane is laid into x and y.
     """
     return [_laid_flat(profile.transformed(_back(space))) for profile, space in zip(profiles, spaces)]
 

@@ -102,7 +102,7 @@ def loop(curves, tolerance):
 
 def families(curves, gap, numbers):
     """Two lists of (curve, its number): those of a network, each of which comes within a gap of all of the other family and of none
-    of its own. numbers: of the curves among the inputs. Raises Refusal."""
+    separately. numbers: of the curves among the inputs. Raises Refusal."""
     reach = max(gap, _MEET * size_of(curves))
     meets = np.zeros((len(curves), len(curves)), bool)
     for i, j in zip(*np.triu_indices(len(curves), 1)):

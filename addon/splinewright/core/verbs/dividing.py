@@ -10,7 +10,7 @@ _UP = np.array([0.0, 0.0, 1.0])
 
 
 def parameters(curve, count=None, length=None, with_ends=True, cancel=None):
-    """Of the ends of equal parts: so many, or of this length from the start on. An open curve has both its ends among them,
+    """Of the ends of equal parts: of this number, or of this length from the start on. An open curve has both its ends among them,
     or none. cancel: as the library takes it. Raises Refusal where the curve is shorter."""
     if length is None:
         at = curve.divide(count, cancel=cancel)

@@ -172,7 +172,7 @@ def within(value, step, low, high):
 
 
 def thinned(lefts, widths):
-    """(n,) bool: which of texts that begin at these places, and are so wide, are written where none overlaps. What is
+    """(n,) bool: which of texts that begin at these places, and are so wide, are written where none overlaps. A text that is
     wanted most comes first."""
     shown, taken = np.zeros(len(lefts), bool), []
     for i, (left, width) in enumerate(zip(lefts, widths)):

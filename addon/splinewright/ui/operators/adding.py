@@ -80,7 +80,7 @@ class AddShape(AddObjectHelper):
         raise NotImplementedError("value: each operator says what it adds")
 
     def new_data(self, step):
-        """The Mesh or Curve of what is added."""
+        """The Mesh or Curve of the added object."""
         return shape.new_data(self.shape_name, starters.scaled(self.value(), self.size), new_shapes.start(self), step)
 
     def execute(self, context):

@@ -74,7 +74,7 @@ class SPLINEWRIGHT_OT_chamfer_corners(_Corners, bpy.types.Operator):
 
 
 class _Between:
-    """Two curves are shortened, or made longer, up to what is put between them."""
+    """Two curves are shortened, or made longer, up to the piece put between them."""
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 

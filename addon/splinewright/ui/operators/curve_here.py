@@ -41,7 +41,7 @@ class _OnCurve(ByClick):
         return super().poll(context)
 
     def operator(self, parameter, domain):
-        """What is done with the piece that was clicked, and its settings for a parameter and the domain."""
+        """The edit of the piece that was clicked, and its settings for a parameter and the domain."""
         raise NotImplementedError
 
     def invoke(self, context, event):
@@ -57,7 +57,7 @@ class _OnCurve(ByClick):
 
     @classmethod
     def with_line(cls, context, aimed, meet, known):
-        """An Aim with what a click would do. known: {}, which keeps what is found once for each piece and end."""
+        """An Aim with what a click would do. known: {}, which keeps results once for each piece and end."""
         if len(aimed.parameters) != 1:
             return aimed
         ob = bpy.data.objects[aimed.name]
@@ -140,7 +140,7 @@ class _PicksCurves(Pointing):
 
     @staticmethod
     def operator():
-        """What is done with the two."""
+        """The edit of the two."""
         raise NotImplementedError
 
     @property

@@ -54,7 +54,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
         return False
 
     def invoke(self, context, event):
-        """Another object that is selected beside the curve is what is copied."""
+        """Another object that is selected beside the curve is copied."""
         others = [ob for ob in context.selected_objects if ob != context.object]
         if len(others) == 1 and not any(map(self.properties.is_property_set, ('source', 'make'))):
             self.source, self.make = others[0].name, 'COPIES'

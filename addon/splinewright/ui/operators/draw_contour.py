@@ -140,7 +140,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         return None, ""
 
     def _numbers(self):
-        """(length, angle in radians) as typed, None for what is not typed."""
+        """(length, angle in radians) as typed, None for those not typed."""
         length, angle = (self._other, self._typed) if self._types_angle else (self._typed, self._other)
         return length.number, None if angle.number is None else math.radians(angle.number)
 

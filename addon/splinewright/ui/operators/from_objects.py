@@ -108,7 +108,7 @@ class _FromObjects(LongWork, Repeatable):
         return self.finished(context, reports.Report(words, warnings=tuple(filter(None, (result.warning,)))))
 
     def _settle(self, context, sources):
-        """Find out what is not given."""
+        """Find the values not given."""
         if self.recipe.frame and not self.properties.is_property_set('frame'):
             self.frame = _beside(context)
         scene_tolerance.fill_from_scene(self, context, self.recipe)

@@ -48,7 +48,7 @@ class CurvesFromPoints(LongWork, Repeatable):
                 for i, (source, points, closed) in enumerate(found)}
 
     def _placed(self, source, points):
-        """(the matrix of what is made of points in the space of an object or the scene, the points in its space)."""
+        """(the matrix of objects made of points in the space of an object or the scene, the points in its space)."""
         points = np.array(points, dtype=np.float64)
         if not source:
             return Matrix(), points
@@ -80,7 +80,7 @@ class CurvesFromPoints(LongWork, Repeatable):
         return self.new_objects(self.lines_of_objects(context))
 
     def said(self, new):
-        """What is said about the new objects. Distances are the scene's where `is_measured`."""
+        """The report on the new objects. Distances are the scene's where `is_measured`."""
         return new_shapes.said_of(new, max(recipes.error(ob.data) for ob in new)) if self.is_measured else ""
 
     def warnings(self, new):

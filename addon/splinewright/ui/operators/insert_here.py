@@ -112,7 +112,7 @@ class ByClick(Gesture):
         return _meant(context)
 
     def _tell(self, context):
-        """In the status bar: why a click did nothing or what is worked on, and the keys."""
+        """In the status bar: why a click did nothing or the current object, and the keys."""
         first = f"{self._why_none}   |   " if self._why_none else meant.works_on(self.meant(context))
         context.workspace.status_text_set(first + _status(ui_state.aimed, self.thing, self.does))
 

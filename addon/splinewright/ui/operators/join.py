@@ -1,4 +1,4 @@
-"""Ctrl+J: shapes become one shape; joined with what is none, their definitions end, which is asked first."""
+"""Ctrl+J: shapes become one shape; joined with other objects, their definitions end, which is asked first."""
 
 import bpy
 from bpy.props import BoolProperty, StringProperty

@@ -134,7 +134,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
         return event.type in ('RET', 'NUMPAD_ENTER') and event.value == 'PRESS' and not self._problem
 
     def _show(self, event):
-        """Let the knot lie where the mouse or the keys say, and tell of it."""
+        """Put the knot where the mouse or the keys set it, and report it."""
         if not str(self._typed):
             self._to = self._followed(event)
         elif self._typed.number is not None:

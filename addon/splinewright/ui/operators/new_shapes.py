@@ -1,4 +1,4 @@
-"""How finely new shapes are shown, as the user says, or else as the preferences do; where they stand, what is said of them."""
+"""How finely new shapes are shown, as the user chooses, or else as in the preferences; where they stand, and the report on them."""
 
 import numpy as np
 from mathutils import Matrix
@@ -32,7 +32,7 @@ def fill_from_preferences(operator):
 
 
 def _wanted(is_surface):
-    """What the preferences say, by names of properties; no resolutions where they are to suit each kind of shape."""
+    """The values of the preferences, by names of properties; no resolutions where they are to suit each kind of shape."""
     chosen = preferences.get()
     resolution = chosen.surface_resolution if is_surface else chosen.curve_resolution
     faces = {name: getattr(chosen, name.replace('faces', 'surface')) for name in _FACES} if is_surface else {}

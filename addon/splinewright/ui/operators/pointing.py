@@ -68,7 +68,7 @@ class Pointing(Gesture):
         return {'RUNNING_MODAL'}
 
     def tell(self, context, why_none=""):
-        """In the status bar: why a click did nothing, what is worked on, and the keys."""
+        """In the status bar: why a click did nothing, the current object, and the keys."""
         first = f"{why_none}   |   " if why_none else meant.works_on(self.meant(context))
         context.workspace.status_text_set(first + self.hint)
 

@@ -194,7 +194,7 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
         redraw()
 
     def _choose(self, key):
-        """Let a key say what is pulled."""
+        """Let a key choose the target of the pull."""
         wanted = _HANDLE_KEYS.get(key, self.handle)
         self.handle = 'POINT' if wanted == self.handle and key in _HANDLE_KEYS else wanted
 
@@ -324,13 +324,13 @@ class _Drag:
 
 
 def _held(context, ob):
-    """What is pulled at: the net of a shape where that is edited."""
+    """The target of the pull: the net of a shape where that is edited."""
     nets = [net for net in editing.nets_in_edit_mode(context) if net_object.shape_of(net) == ob]
     return pulling.HeldNet(nets[0]) if nets else pulling.HeldShape(ob)
 
 
 def _followers():
-    """The names of objects that follow others, as they may follow what is pulled."""
+    """The names of objects that follow others, as they may follow the pulled shape."""
     return (ob.name for ob in bpy.context.view_layer.objects if shape.has_shape(ob) and recipes.follows(ob.data))
 
 

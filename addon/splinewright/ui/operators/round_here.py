@@ -80,7 +80,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
         redraw()
 
     def _make(self, context):
-        """What is refused is said in the status bar, and others may be clicked."""
+        """A refusal is shown in the status bar, and others may be clicked."""
         text, ob = text_of(ui_state.rounding.chosen), context.object
         try:
             if _is_rounded(ob):

@@ -1,4 +1,4 @@
-"""A click in Edit Mode takes what is seen of nets: Blender's own click takes what lies behind the surface, too, as that is
+"""A click in Edit Mode takes the visible points of nets: Blender's own click takes what lies behind the surface, too, as that is
 another object than the net."""
 
 import bpy

@@ -1,4 +1,4 @@
-"""Restore, Detach, Apply Transform to NURBS: what becomes of a shape as a whole."""
+"""Restore, Detach, Apply Transform to NURBS: changes of a shape as a whole."""
 
 import bpy
 from bpy.props import BoolProperty

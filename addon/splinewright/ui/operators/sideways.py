@@ -55,7 +55,7 @@ class Sideways(Typing, Gesture):
         raise NotImplementedError
 
     def text(self, typed):
-        """What is shown at the mouse."""
+        """The preview at the mouse."""
         raise NotImplementedError
 
     def is_odd(self):
@@ -92,7 +92,7 @@ class Sideways(Typing, Gesture):
         return event.type in ('LEFTMOUSE', 'RET', 'NUMPAD_ENTER') and event.value == 'PRESS'
 
     def _follow(self, context, event):
-        """Let the shapes have what the mouse or the keys say, and tell of it."""
+        """Give the shapes the value set by mouse or keys, and report it."""
         self.choose(event)
         self._problem = ""
         try:

@@ -97,7 +97,7 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
         return f"Weight {typed or f'{self.weight:.4g}'}"
 
     def _numbers(self, weights):
-        """What becomes of weights (k,). Raises Refusal where that is 0."""
+        """The new weights for weights (k,). Raises Refusal where that is 0."""
         number = decimals.typed(self.weight if self.kind == 'SET' else self.factor)
         if number == 0.0:
             raise Refusal("a weight of 0 would take the point out of the shape: Move to Infinity makes it a direction")
