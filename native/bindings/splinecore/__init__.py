@@ -48,7 +48,7 @@ from ._splinecore import (
     loads,
     seam_continuity,
 )
-from . import basis, bpt, build, conics, fit, meshes
+from . import basis, bpt, build, conics, fit, meshes, plot
 
 __all__ = [
     "Approximation",
@@ -92,11 +92,12 @@ __all__ = [
     "fit",
     "loads",
     "meshes",
+    "plot",
     "seam_continuity",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name not in ("basis", "bpt", "build", "conics", "fit", "meshes"):
+    if _name not in ("basis", "bpt", "build", "conics", "fit", "meshes", "plot"):
         globals()[_name].__module__ = __name__
 del _name
