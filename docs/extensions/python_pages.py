@@ -18,6 +18,7 @@ MODULES = {
     "splinecore.fit": "Curves and patches through points and near them",
     "splinecore.bpt": "Bezier patches as text",
     "splinecore.meshes": "Meshes in files",
+    "splinecore.plot": "Pictures with matplotlib",
 }
 #: Classes of the module splinecore; all others are results.
 GROUPS = {
