@@ -12,9 +12,9 @@ author = "The Splinewright developers"
 copyright = "2026, The Splinewright developers"
 release = re.search(r"project\(splinecore VERSION ([0-9.]+)", (DOCS.parent / "native/CMakeLists.txt").read_text())[1]
 
-extensions = ["pages", "stubs", "mathml", "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "headers"]
+extensions = ["figures", "pages", "stubs", "mathml", "myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "headers"]
 exclude_patterns = ["requirements.txt"]
-myst_enable_extensions = ["dollarmath"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 breathe_default_project = "splinecore"
 html_math_renderer = "mathml"

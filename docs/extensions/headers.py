@@ -17,7 +17,17 @@ def read(folder):
     except FileNotFoundError:
         sys.exit("doxygen is not installed")
     name_by_path(folder / "xml")
+    for path in (folder / "xml").glob("*.xml"):
+        text = path.read_text()
+        if 'prot="private"' in text:
+            path.write_text(without_private(text))
     return folder / "xml"
+
+
+def without_private(text):
+    """The XML of a class or a file without private members and classes, which breathe shows, too."""
+    text = re.sub(r'\s*<sectiondef kind="private-[^"]*">.*?</sectiondef>', "", text, flags=re.S)
+    return re.sub(r'\s*<innerclass [^>]*prot="private"[^>]*>[^<]*</innerclass>', "", text)
 
 
 def name_by_path(xml):

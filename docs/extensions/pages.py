@@ -61,7 +61,7 @@ def cpp():
     (folder / "index.md").write_text(
         "# The C++ library\n\nAfter `cmake --install`: `find_package(splinecore)`, "
         "`target_link_libraries(app splinecore::splinecore)`. Includes run one way: each room uses those above it only.\n\n"
-        "| room | what is in it |\n| --- | --- |\n" + "\n".join(rows) + f"\n\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")
+        "| room | contents |\n| --- | --- |\n" + "\n".join(rows) + f"\n\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")
 
 
 def setup(app):

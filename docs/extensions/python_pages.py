@@ -18,6 +18,7 @@ MODULES = {
     "splinecore.fit": "Curves and patches through points and near them",
     "splinecore.bpt": "Bezier patches as text",
     "splinecore.meshes": "Meshes in files",
+    "splinecore.plot": "Pictures with matplotlib",
 }
 #: Classes of the module splinecore; all others are results.
 GROUPS = {
@@ -87,6 +88,6 @@ def write(folder):
         rows.append(f"| [{name}]({name}.rst) | {title} |")
     names = "\n".join(MODULES)
     (folder / "index.md").write_text(
-        "# The Python module\n\n| module | what is in it |\n| --- | --- |\n" + "\n".join(rows) + "\n\n"
+        "# The Python module\n\n| module | contents |\n| --- | --- |\n" + "\n".join(rows) + "\n\n"
         + make_manual.section((PROJECT / "README.md").read_text(), "The module in ten lines")
         + f"\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")

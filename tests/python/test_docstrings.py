@@ -15,7 +15,7 @@ import pytest
 import splinecore as sc
 
 BINDINGS = Path(__file__).resolve().parents[2] / "native/bindings"
-MODULES = (sc, sc.basis, sc.bpt, sc.build, sc.conics, sc.fit, sc.meshes)
+MODULES = (sc, sc.basis, sc.bpt, sc.build, sc.conics, sc.fit, sc.meshes, sc.plot)
 STUBS = {"splinecore" if path.stem == "__init__" else f"splinecore.{path.stem}": path
          for path in (BINDINGS / "splinecore").glob("*.pyi")}
 
@@ -102,6 +102,8 @@ def test_the_functions_used_most_have_examples():
 
 @pytest.mark.parametrize("name", examples())
 def test_examples_run(name):
+    if name.startswith("splinecore.plot"):
+        pytest.importorskip("matplotlib").use("agg")
     test = doctest.DocTestParser().get_doctest(examples()[name], {"sc": sc, "np": np}, name, None, 0)
     said = []
     result = doctest.DocTestRunner(verbose=False).run(test, out=said.append)

@@ -7,7 +7,7 @@
 Values are immutable; arrays go in as any real numbers and come out as float64.
 """
 
-from . import _splinecore
+from . import _splinecore, _svg
 from ._splinecore import (
     Approximation,
     BezierCurve,
@@ -48,7 +48,7 @@ from ._splinecore import (
     loads,
     seam_continuity,
 )
-from . import basis, bpt, build, conics, fit, meshes
+from . import basis, bpt, build, conics, fit, meshes, plot
 
 __all__ = [
     "Approximation",
@@ -92,11 +92,16 @@ __all__ = [
     "fit",
     "loads",
     "meshes",
+    "plot",
     "seam_continuity",
 ]
 
 # So that pickles, errors and help name the package and not the file below it.
 for _name in __all__:
-    if _name not in ("basis", "bpt", "build", "conics", "fit", "meshes"):
+    if _name not in ("basis", "bpt", "build", "conics", "fit", "meshes", "plot"):
         globals()[_name].__module__ = __name__
 del _name
+
+# What notebooks show.
+NurbsCurve._repr_svg_ = BezierCurve._repr_svg_ = HermiteCurve._repr_svg_ = PowerCurve._repr_svg_ = _svg.curve
+NurbsPatch._repr_svg_ = BezierPatch._repr_svg_ = HermitePatch._repr_svg_ = PatchSet._repr_svg_ = _svg.surface

@@ -6,7 +6,7 @@ from typing import Any, Literal, SupportsIndex, TypedDict, TypeVar, final
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from . import basis, bpt, build, conics, fit, meshes
+from . import basis, bpt, build, conics, fit, meshes, plot
 
 __all__ = [
     "Approximation",
@@ -50,6 +50,7 @@ __all__ = [
     "fit",
     "loads",
     "meshes",
+    "plot",
     "seam_continuity",
 ]
 

@@ -33,7 +33,7 @@ ControlMesh subdivided(const ControlMesh& mesh);
 /// the curvatures round about and meet each other in common tangent planes, with least third derivatives: near the surface,
 /// but not on it. A point inside with two faces, where the scheme has no tangent plane, is left out after the first round;
 /// its faces become one.
-/// @throws InvalidShape, naming faces or points, if there is no face, a face has fewer than three corners or one twice, a
+/// @throws InvalidShape naming faces or points, if there is no face, a face has fewer than three corners or one twice, a
 ///         corner is no point, an edge has more than two faces, faces beside each other are turned differently, parts of
 ///         the mesh meet in a point alone, or a point inside has one face alone.
 SubdivisionPatches catmull_clark(const ControlMesh& mesh);
