@@ -105,6 +105,8 @@ class CreaseStep {
 
   bool is_along_crease() const { return of_a_ || of_b_; }
 
+  bool is_along_creases_of_both() const { return of_a_ && of_b_; }
+
   /// Its ends in the pieces before the creases, from the lower parameter to the higher one.
   std::array<SectionPlace, 2> ends() const {
     const std::size_t along = parameter();
@@ -275,7 +277,7 @@ SortedTraces without_ridges(const TwoPatches& patches, const std::vector<Section
       const CreaseStep along(patches, step, tolerance);
       if (!along.is_along_crease()) continue;
       const bool is_ridge = along.is_ridge(0.5);
-      is_taken[i] = is_ridge || crossings.hold(along);
+      is_taken[i] = is_ridge || (along.is_along_creases_of_both() && crossings.hold(along));
       if (!is_taken[i] || is_ridge) (is_ridge ? ridges : crossings).add(along);
     }
     if (std::ranges::none_of(is_taken, [](bool is) { return is; })) {
