@@ -214,6 +214,8 @@ def test_bad_calls_are_refused():
         (lambda: build.helix(axis, 1, 2, start=(0, 0, 1)), "along the tangent|start"),
         (lambda: build.helix(line((1, 1), (1, 1)), 1, 2), "point|length|still"),
         (lambda: build.curve_on_patch(SPHERE, line((0, 1), (1, 9))), "leaves the patch at v"),
+        (lambda: build.curve_on_patch(SPHERE, line((0, 1), (1e9, 1))), "too often to be followed"),
+        (lambda: build.curve_on_patch(SPHERE, line((0, 1), (1e300, 1))), "too often to be followed"),
         (lambda: build.curve_on_patch(SPHERE, line((0, 0), (1, 0)), 0.5), "no normal"),
         (lambda: build.curve_on_patch(SPHERE, IMAGE, np.nan), "no number|finite"),
         (lambda: build.curve_on_patch(SPHERE, IMAGE, tolerance=-1), "tolerance"),

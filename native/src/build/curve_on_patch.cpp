@@ -55,6 +55,11 @@ class ImageAxis {
     if (!is_closed_) return knots_;
     std::vector<double> found;
     const double turn = domain_.length();
+    constexpr double kMost = 1 << 16;
+    if (!((to - from) / turn * static_cast<double>(knots_.size()) < kMost)) {
+      throw InvalidShape(std::string("the image goes around the patch along ") + name_ + " " + text_of((to - from) / turn) +
+                         " times, too often to be followed");
+    }
     for (double k = std::floor((from - domain_.start) / turn); domain_.start + k * turn <= to; ++k) {
       for (std::size_t i = 0; i + 1 < knots_.size(); ++i) found.push_back(knots_[i] + k * turn);
     }
