@@ -15,8 +15,7 @@ matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("agg")
 pyplot = pytest.importorskip("matplotlib.pyplot")
 
-CURVE_CALLS = {"curve": plot.curve, "comb": plot.comb}
-SURFACE_CALLS = {"control_net": plot.control_net, "isocurves": plot.isocurves}
+CALLS = [*((call, CURVES) for call in (plot.curve, plot.comb)), *((call, SURFACES) for call in (plot.control_net, plot.isocurves))]
 #: A picture has pixels, and matplotlib no room for the squares of these.
 BEYOND = {"huge", "tiny", "wild weights", "degree 60", "150 of a set", "1000 of a set"}
 
@@ -38,18 +37,10 @@ def draw(axes):
         axes.figure.canvas.draw()
 
 
-@pytest.mark.parametrize("name", sorted(set(CURVES) - BEYOND))
-@pytest.mark.parametrize("call", CURVE_CALLS)
-def test_every_curve_is_drawn(call, name):
-    axes = CURVE_CALLS[call](CURVES[name])
-    draw(axes)
-    assert axes.lines
-
-
-@pytest.mark.parametrize("name", sorted(set(SURFACES) - BEYOND))
-@pytest.mark.parametrize("call", SURFACE_CALLS)
-def test_every_surface_is_drawn(call, name):
-    axes = SURFACE_CALLS[call](SURFACES[name])
+@pytest.mark.parametrize("call, shape", [pytest.param(call, shapes[name], id=f"{call.__name__}-{name}")
+                                         for call, shapes in CALLS for name in sorted(set(shapes) - BEYOND)])
+def test_every_shape_is_drawn(call, shape):
+    axes = call(shape)
     draw(axes)
     assert axes.lines
 

@@ -244,7 +244,7 @@ def basis_functions(knots, axes=None, **style):
 
 
 def _patches(surface):
-    return list(map(surface.__getitem__, range(len(surface)))) if isinstance(surface, PatchSet) else [surface]
+    return list(surface) if isinstance(surface, PatchSet) else [surface]
 
 
 def control_net(surface, axes=None, **style):

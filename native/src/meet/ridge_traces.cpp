@@ -82,15 +82,15 @@ double turned_on(double angle) {
   return angle < 0.0 ? angle + kTurn : angle;
 }
 
-/// Whether the second pair of ways lies on one side of the first one.
-bool are_on_one_side(const std::array<double, 2>& of_a, const std::array<double, 2>& of_b) {
+/// Whether the second pair of ways lies on one side of the first one; nothing where two of them are nearly the same.
+std::optional<bool> are_on_one_side(const std::array<double, 2>& of_a, const std::array<double, 2>& of_b) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   constexpr double kSame = 0x1p-16;
   const double end = turned_on(of_a[1] - of_a[0]);
   int inside = 0;
   for (const double b : of_b) {
     const double here = turned_on(b - of_a[0]);
-    if (std::min({here, kTurn - here, std::abs(here - end)}) < kSame) return false;
+    if (std::min({here, kTurn - here, std::abs(here - end)}) < kSame) return {};
     inside += here < end ? 1 : 0;
   }
   return inside != 1;
@@ -104,8 +104,6 @@ class CreaseStep {
         of_b_(crease_of(patches, step, tolerance, false)) {}
 
   bool is_along_crease() const { return of_a_ || of_b_; }
-
-  bool is_along_creases_of_both() const { return of_a_ && of_b_; }
 
   /// Its ends in the pieces before the creases, from the lower parameter to the higher one.
   std::array<SectionPlace, 2> ends() const {
@@ -125,40 +123,60 @@ class CreaseStep {
   /// The one that goes along the crease.
   std::size_t parameter() const { return (of_a_ ? of_a_ : of_b_)->parameter ^ 1U; }
 
-  /// Whether patches touch there but do not cross.
-  bool is_ridge(double s) const {
-    breathe(256);
-    const PatchSpots at = step_.spots(s);
-    const glm::dvec3 tangent = glm::normalize(step_.to.point - step_.from.point);
-    const Slopes<2> there = patches_.a.at(at.a);
-    const glm::dvec3 across = glm::cross(glm::cross(there.first[0], there.first[1]), tangent);
-    if (!(glm::length(across) > 0.0)) return false;
-    const glm::dvec3 x = glm::normalize(across);
-    const AnglesAround around{tangent, x, glm::cross(tangent, x)};
-    const auto off_a = around.off(patches_.a, at, true, of_a_);
-    const auto off_b = around.off(patches_.b, at, false, of_b_);
-    return off_a && off_b && are_on_one_side(*off_a, *off_b);
+  /// Whether patches touch there but do not cross, where nearly all of it does one or the other.
+  bool is_ridge() const {
+    for (const double s : {0.5, 0.25, 0.75}) {
+      if (const auto found = is_ridge_at(s)) return *found;
+    }
+    return false;
   }
 
   /// Where from start to end they begin to cross, or cease to.
   std::vector<double> changes() const {
     constexpr std::array kLooks{0x1p-6, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 - 0x1p-6};
-    constexpr int kHalvings = 40;
     std::vector<double> found;
-    for (std::size_t i = 1; i < kLooks.size(); ++i) {
-      Interval range{kLooks[i - 1], kLooks[i]};
-      const bool before = is_ridge(range.start);
-      if (is_ridge(range.end) == before) continue;
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = range.middle();
-        (is_ridge(middle) == before ? range.start : range.end) = middle;
+    std::optional<bool> before;
+    double last = 0.0;
+    for (const double look : kLooks) {
+      const std::optional<bool> here = is_ridge_at(look);
+      if (!here) continue;
+      if (before && *here != *before) {
+        const Interval range{last, look};
+        found.push_back(0.5 * (change_in(range, *before, *before) + change_in(range, *before, *here)));
       }
-      found.push_back(range.middle());
+      before = here;
+      last = look;
     }
     return found;
   }
 
  private:
+  /// Nothing where the angles do not tell.
+  std::optional<bool> is_ridge_at(double s) const {
+    breathe(256);
+    const PatchSpots at = step_.spots(s);
+    const glm::dvec3 tangent = glm::normalize(step_.to.point - step_.from.point);
+    const Slopes<2> there = patches_.a.at(at.a);
+    const glm::dvec3 across = glm::cross(glm::cross(there.first[0], there.first[1]), tangent);
+    if (!(glm::length(across) > 0.0)) return {};
+    const glm::dvec3 x = glm::normalize(across);
+    const AnglesAround around{tangent, x, glm::cross(tangent, x)};
+    const auto off_a = around.off(patches_.a, at, true, of_a_);
+    const auto off_b = around.off(patches_.b, at, false, of_b_);
+    if (!off_a || !off_b) return {};
+    return are_on_one_side(*off_a, *off_b);
+  }
+
+  /// Where they are no longer as at the start of a range, if where the angles do not tell they are as given.
+  double change_in(Interval range, bool at_start, bool untold) const {
+    constexpr int kHalvings = 40;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double middle = range.middle();
+      (is_ridge_at(middle).value_or(untold) == at_start ? range.start : range.end) = middle;
+    }
+    return range.middle();
+  }
+
   const TwoPatches& patches_;
   const SectionStep& step_;
   std::optional<CreaseLine> of_a_;
@@ -195,9 +213,15 @@ class CreaseSteps {
     steps_[line_of(step, ends)].push_back(ends);
   }
 
-  /// Whether all of a step is there, but for what the angles at which changes are seen leave out.
+  void add(const CreaseSteps& others) {
+    for (const auto& [line, steps] : others.steps_) {
+      steps_[line].insert(steps_[line].end(), steps.begin(), steps.end());
+    }
+  }
+
+  /// Whether all of a step is there, up to the rounding of changes.
   bool hold(const CreaseStep& step) const {
-    constexpr double kNear = 0x1p-14;
+    constexpr double kNear = 0x1p-24;
     const std::array<SectionPlace, 2> ends = step.ends();
     const auto known = steps_.find(line_of(step, ends));
     if (known == steps_.end()) return false;
@@ -270,16 +294,19 @@ SortedTraces without_ridges(const TwoPatches& patches, const std::vector<Section
   CreaseSteps crossings;
   for (const SectionTrace& whole : traces) {
     const SectionTrace trace = cut_at_changes(patches, whole, tolerance);
+    CreaseSteps own;
     std::vector<bool> is_taken(trace.places.empty() ? 0 : trace.places.size() - 1, false);
     for (std::size_t i = 0; i < is_taken.size(); ++i) {
       const SectionStep step(trace.places[i], trace.places[i + 1]);
       if (!step.from.has_pieces_of(step.to) || !(step.length > 0.0)) continue;
       const CreaseStep along(patches, step, tolerance);
       if (!along.is_along_crease()) continue;
-      const bool is_ridge = along.is_ridge(0.5);
-      is_taken[i] = is_ridge || (along.is_along_creases_of_both() && crossings.hold(along));
-      if (!is_taken[i] || is_ridge) (is_ridge ? ridges : crossings).add(along);
+      const bool is_ridge = along.is_ridge();
+      is_taken[i] = is_ridge || crossings.hold(along);
+      if (is_ridge) ridges.add(along);
+      else if (!is_taken[i]) own.add(along);
     }
+    crossings.add(own);
     if (std::ranges::none_of(is_taken, [](bool is) { return is; })) {
       found.crossing.push_back(whole);
       continue;
