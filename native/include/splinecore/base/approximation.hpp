@@ -21,7 +21,7 @@ class ToleranceNotReached : public std::runtime_error {
 
   double error() const noexcept { return error_; }
 
-  /// The same where both lengths are in another unit, of which one is so many.
+  /// The same with both lengths in a unit of this length.
   ToleranceNotReached times(double unit) const { return {what_, unit * tolerance_, unit * error_}; }
 
  private:

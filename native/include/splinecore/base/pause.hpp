@@ -20,7 +20,7 @@ class Pausing {
   const Pause* before_;
 };
 
-/// Called between steps of work, never while a lock is held: pauses after every so many steps, some 20 ms apart.
+/// Called between steps of work, never while a lock is held: pauses at intervals of about 20 ms.
 /// @param steps  how many multiplications or the like were done, or lie ahead
 void breathe(std::size_t steps);
 

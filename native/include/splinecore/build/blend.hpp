@@ -13,7 +13,7 @@ struct BlendEnd {
   bool is_end;  ///< where it ends, or where it begins
 };
 
-/// The Bezier curve from an end of a curve to an end of another one that goes on there as they do: with the point, the
+/// The Bezier curve from an end of a curve to an end of another one that continues both there: with the point, the
 /// direction, the curvature vector and its derivative by the length for continuity 0, 1, 2, 3; of degree 2 k + 1. Row S7,
 /// S16.
 /// @param strengths  speeds at both ends by the distance between them, above 0: how far it follows each curve

@@ -26,7 +26,7 @@ struct CornerBetween {
 };
 
 /// Two curves with the arc of a radius that touches both, each shortened to it: of those that leave the parts about
-/// `kept` the one that is nearest to them, or that takes a curve whole. Open curves that have none go on straight up to it.
+/// `kept` the one that is nearest to them, or that takes a curve whole. Open curves that have none are extended straight up to it.
 /// Closed ones are not cut.
 /// @param kept  a parameter of each
 /// @throws InvalidShape if there is none; and as fillets().

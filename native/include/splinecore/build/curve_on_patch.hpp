@@ -11,7 +11,7 @@ namespace splinecore {
 /// normals: by cubics with its tangents, halved until they are within the tolerance; its corners, and where it crosses
 /// creases of the patch, are theirs: at a distance there is a gap. By the same parameter as the image. S18.
 ///
-/// Beyond the domain the image goes on over the seam where the patch is closed.
+/// Beyond the domain the image continues over the seam where the patch is closed.
 /// @param tolerance  none: 2^-20 of the size of the patch
 /// @throws InvalidShape if the image leaves the domain, the tolerance is not above 0 or too small, or the patch has no
 ///         normal there and the distance is not 0; PointAtInfinity.

@@ -25,9 +25,9 @@ struct Following {
 /// How a point of a curve is dragged.
 struct Drag {
   glm::dvec3 by;
-  /// What is added to the derivative there; zero keeps it. None: it goes as it does.
+  /// The change of the derivative there; zero keeps it. None: it goes as it does.
   std::optional<glm::dvec3> tangent_by;
-  /// What is added to the second derivative there, the tangent being chosen, too. None: it goes as it does.
+  /// The change of the second derivative there, the tangent being chosen, too. None: it goes as it does.
   std::optional<glm::dvec3> second_by = {};
 };
 
@@ -48,7 +48,7 @@ HermiteCurve dragged(const HermiteCurve& curve, double u, const Drag& drag, cons
 /// How a point of a patch is dragged.
 struct PatchDrag {
   glm::dvec3 by;
-  /// What is added to the derivatives along u and v there; zero keeps one. None: it goes as it does.
+  /// The change of the derivatives along u and v there; zero keeps one. None: it goes as it does.
   std::optional<glm::dvec3> tangent_u_by = {};
   std::optional<glm::dvec3> tangent_v_by = {};
 };

@@ -6,7 +6,7 @@
 
 namespace splinecore {
 
-/// How a curve goes on beyond its end.
+/// How a curve continues beyond its end.
 enum class Extension {
   natural,   ///< as its last span does, by the same polynomials
   arc,       ///< round its circle of curvature
@@ -17,7 +17,7 @@ enum class Extension {
 ///
 /// Naturally the last knots move and the points beside them follow by blossoms; others are joined with the tangent, or
 /// the curvature. An arc where the curve is straight is straight. S18.
-/// @throws InvalidShape if the length is not above 0, the curve is closed or stands still at its end, an arc would pass
+/// @throws InvalidShape if the length is not above 0, the curve is closed or has no tangent at its end, an arc would pass
 ///         its whole circle, or the curve runs to infinity before that length.
 NurbsCurve extended(const NurbsCurve& curve, bool at_end, double length, Extension how);
 

@@ -8,14 +8,14 @@
 
 namespace splinecore {
 
-/// What is put where a curve has a corner and its offset a gap.
+/// How an offset closes the gap at a corner of the curve.
 enum class OffsetCorner { round, sharp };
 
 struct OffsetOptions {
   glm::dvec3 normal{0.0, 0.0, 1.0};  ///< of the plane that the curve is in
   std::optional<double> tolerance;   ///< how far the result may be from the offset; none: 2^-20 of the size
   OffsetCorner corner = OffsetCorner::round;
-  bool trimmed = false;  ///< without what is nearer to the curve than the distance by more than the tolerance
+  bool trimmed = false;  ///< without parts nearer to the curve than the distance by more than the tolerance
 };
 
 /// The curve at a distance to the left of a plane curve, seen against the normal; to the right where it is negative.

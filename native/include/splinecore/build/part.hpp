@@ -21,7 +21,7 @@ std::vector<NurbsCurve> parts(const NurbsCurve& curve, std::vector<double> param
 /// @throws as intersections()
 std::vector<double> meeting_parameters(const NurbsCurve& curve, std::span<const NurbsCurve> others);
 
-/// What is left of a curve without the part about a parameter, between where it meets others, or its own end.
+/// The rest of a curve without the part about a parameter, between where it meets others, or its own end.
 /// @throws InvalidShape if they do not meet, a closed curve meets them in one place alone, or nothing is left.
 std::vector<NurbsCurve> trimmed(const NurbsCurve& curve, std::span<const NurbsCurve> others, double at);
 

@@ -37,7 +37,7 @@ NurbsPatch extrude(const NurbsCurve& curve, const glm::dvec3& vector);
 /// 8.4). u lies in the domain of a; that of b is mapped to it, see compatible().
 ///
 /// Homogeneous points are interpolated: where the weights of both at u are equal, v is the share of the way from a
-/// to b; otherwise the segment is the same, but run through at another pace. Weights of opposite signs
+/// to b; otherwise the segment is the same, but parametrized otherwise. Weights of opposite signs
 /// lead through infinity.
 NurbsPatch ruled(const NurbsCurve& a, const NurbsCurve& b);
 

@@ -30,7 +30,7 @@ NurbsCurve circle(const glm::dvec3& center, double radius, const glm::dvec3& nor
 /// The part of an ellipse from the angle `start` on, `sweep` radians long, clockwise where negative.
 ///
 /// A span longer than half a turn has a negative weight, one of exactly half a turn a direction in
-/// its middle. A sweep of a whole turn ends in the very point where it begins. Angles within
+/// its middle. A sweep of a whole turn ends exactly where it begins. Angles within
 /// rounding of a multiple of 15 degrees are that, so that its points have all their digits.
 /// @param span_count  0 for as few as keep each within a quarter turn
 /// @throws InvalidShape if the sweep is 0 or longer than a turn, one span would hold a whole turn, the

@@ -14,7 +14,7 @@ NurbsCurve with_domain(const NurbsCurve& curve, Interval domain);
 /// The same plain curve with both ends in its outer control points; a periodic one is cut at its seam.
 NurbsCurve clamped(const NurbsCurve& curve);
 
-/// The same curve on knots that go on outside the domain, so that it touches no end point (The NURBS Book,
+/// The same curve on knots that continue outside the domain, so that it touches no end point (The NURBS Book,
 /// A12.1; by blossoms): in steps of the span beside it, above degree 3 of (3 / degree)^2 of it, which keeps the
 /// points near the curve. A periodic curve is unrolled.
 /// @throws InvalidShape if weights at an end are so different that rounding would move the curve.

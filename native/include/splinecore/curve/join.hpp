@@ -5,7 +5,7 @@
 
 namespace splinecore {
 
-/// What two curves share where one goes on as the other: the point; the direction, too; the first
+/// What two curves share where one continues the other: the point; the direction, too; the first
 /// derivative; the first two.
 enum class Smoothness { c0, g1, c1, c2 };
 

@@ -11,7 +11,7 @@ namespace splinecore {
 /// squares; points that the knot has no part in stay bit for bit (S15; The NURBS Book, §5.4).
 ///
 /// Exact, but for rounding, where the curve is smooth enough at u.
-/// @throws InvalidShape if u is no knot inside the domain, or has fewer copies; of a periodic curve the
+/// @throws InvalidShape if u is not a knot inside the domain, or has fewer copies; of a periodic curve the
 ///         first knot keeps one copy. ToleranceNotReached with a tolerance (a length) that the error exceeds.
 Approximation<NurbsCurve> remove_knot(const NurbsCurve& curve, double u, int times = 1,
                                       std::optional<double> tolerance = {});

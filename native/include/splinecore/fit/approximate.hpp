@@ -18,10 +18,10 @@ struct ApproximationOptions {
   std::vector<glm::dvec3> start;  ///< derivatives 1, 2, … at a fixed end
   std::vector<glm::dvec3> end;
   double smoothing = 0.0;  ///< weight of the integral of the squared second derivative, beside the sum of squares
-  int corrections = 0;     ///< so often the parameters move to the nearest points, and the curve is made anew
+  int corrections = 0;     ///< how often the parameters move to the nearest points and the curve is made again
 };
 
-/// Knots for a curve with so many control points: about as many parameters between each two (The NURBS Book, eq. 9.68,
+/// Knots for a curve with a given number of control points: about as many parameters between each two (The NURBS Book, eq. 9.68,
 /// 9.69). Where those are fewer than degree + 1: averages of `degree` places each (eq. 9.8), of as many places as there are
 /// control points with as many parameters between each two; else single parameters would decide about control points that
 /// they hardly move, and noise would swing the curve. With as many control points as points, those of interpolate(). Of a
@@ -58,7 +58,7 @@ Approximation<NurbsCurve> approximate_smoothly(std::span<const glm::dvec3> point
 /// The same with knots where they are needed: spans that are too far from a point are halved, then knots that are not
 /// missed are taken away. Curves that leave their points in between are not taken: by more than the size of a place's
 /// neighborhood, that is of `degree` points on each side, or where no others are found by four times as much.
-/// @param most  so many control points at most
+/// @param most  the largest number of control points
 /// @returns the curve, and the largest distance of a point from the curve's point at its parameter
 /// @throws ToleranceNotReached if they do not come within the tolerance; InvalidShape unless it is positive.
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,

@@ -45,7 +45,7 @@ std::vector<double> calm_parameters(const PointGrid& grid, Axis axis, int degree
 ///
 /// One banded system a direction, for all lines at once.
 /// @returns the patch, and the largest distance from a point that rounding left
-/// @throws InvalidShape as interpolate() does, naming the direction; or if the grid has not so many points, or one of
+/// @throws InvalidShape as interpolate() does, naming the direction; or if the grid has another number of points, or one of
 ///         its coordinates is not finite.
 Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection& u, const FitDirection& v);
 

@@ -12,10 +12,10 @@ namespace splinecore {
 /// Writes the points of a curve at parameters.
 using CurveFunction = std::function<void(std::span<const double> parameters, std::span<glm::dvec3> points)>;
 
-/// The orthogonal projection of a function on the splines with these knots: what is left is orthogonal to each of their
+/// The orthogonal projection of a function on the splines with these knots: the remainder is orthogonal to each of their
 /// basis functions (lecture row S17: the integral of (f - g) times a function is zero). Integrals by 16 nodes of Gauss
 /// and Legendre, or as many as the degree and 8, on a 16th of each span and on ever smaller parts of it, until these tell
-/// the function: kinks, jumps and narrow peaks are found where a part's nodes and those of its halves differ. What is
+/// the function: kinks, jumps and narrow peaks are found where a part's nodes and those of its halves differ. Features
 /// narrower than the distances of 512 nodes in a span may be missed.
 /// @param fixed_ends  the curve begins and ends where the function does: the knots are clamped
 /// @returns the curve, and the largest distance that is found: from all nodes and 64 even parameters of each span uphill

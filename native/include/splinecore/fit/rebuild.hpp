@@ -8,10 +8,10 @@
 
 namespace splinecore {
 
-/// What is kept exactly at the ends of an open curve that is rebuilt.
+/// Whether points alone or tangents, too, stay the same at the ends of an open curve that is rebuilt.
 enum class KeptEnds { points, tangents };
 
-/// A curve of this degree with so many control points and even knots over the same domain: the one nearest in the
+/// A curve of this degree with this number of control points and even knots over the same domain: the one nearest in the
 /// integral of the squared distance at equal parameters, periodic if the curve is (orthogonal projection: lecture row
 /// S17). With degree + 1 control points it is one Bezier piece.
 /// @returns the curve, polynomial, and the largest distance at equal parameters: at most 1 % above the truth

@@ -6,7 +6,7 @@
 
 namespace splinecore {
 
-/// What is done where a formula has no finite value: refuse the parameter, or mark it with NaN.
+/// How a parameter is treated where a formula has no finite value: refuse the parameter, or mark it with NaN.
 ///
 /// A formula has no value where one of its operations has none: 1 / (1 / t) is undefined at 0.
 enum class AtUndefined { raise, nan };

@@ -11,10 +11,10 @@ namespace splinecore {
 inline constexpr double kPlaceTolerance = 1e-10;
 
 /// For each length the parameter to which the curve has it, from the start of its domain on (S15). A periodic curve
-/// goes on: there lengths may be any numbers, turns are counted, and so are the parameters.
+/// continues: there lengths may be any numbers, turns are counted, and so are the parameters.
 ///
 /// One pass adds up the parts of length() for all of them; in its part each is found by Newton's iteration, whose steps
-/// are halves of the bracket where they would leave it. Where the curve stands still it is the first parameter.
+/// are halves of the bracket where they would leave it. Where the derivative is zero over an interval it is the first parameter.
 /// @param tolerance  The length up to the parameter is off by at most so much of that of the curve, or by what the last
 ///                   digit of the parameter is worth there.
 /// @throws InvalidShape naming a length that is not finite, below 0 or above that of a plain curve, or if a periodic

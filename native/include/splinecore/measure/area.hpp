@@ -10,7 +10,7 @@ inline constexpr double kAreaTolerance = 1e-12;
 
 /// The area of a patch (lecture rows S19, S20): the integral of |S_u x S_v|.
 ///
-/// Pieces between knots, over parameters of their own, are cut where weights differ much. On each, along either
+/// Pieces between knots, each over separate parameters, are cut where weights differ much. On each, along either
 /// direction, the rules of Gauss and Kronrod of 10 and 21 nodes; it is halved along those where they differ, until all
 /// differences together are an eighth of the tolerance. A fold beside an edge, which no node sees, is seen at the edge.
 /// @param tolerance  The area is off by at most so much of itself. Where rounding of the coordinates is more than that,

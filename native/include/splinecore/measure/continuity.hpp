@@ -6,7 +6,7 @@
 
 namespace splinecore {
 
-/// How smoothly a curve goes on where two of its pieces, or two curves, meet (S16).
+/// How smoothly two pieces of a curve, or two curves, meet (S16).
 struct Continuity {
   double gap = 0.0;                   ///< G0: distance of the two ends
   double angle = 0.0;                 ///< G1: between the directions, in [0, pi]

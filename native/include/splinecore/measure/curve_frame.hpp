@@ -9,7 +9,7 @@ namespace splinecore {
 
 /// Curvature |C' x C''| / |C'|³ at each parameter; out.size() == parameters.size() (S15, S16).
 ///
-/// Where C' falls to zero it is the limit, infinite at a sharp cusp; NaN where the curve stands still.
+/// Where C' falls to zero it is the limit, infinite at a sharp cusp; NaN where the curve is a point.
 /// At a knot the right-hand value unless the side is left.
 /// A periodic curve takes any parameter, modulo its period.
 /// @throws InvalidShape for a parameter outside the domain of a plain curve; PointAtInfinity.
@@ -38,7 +38,7 @@ struct MovingFrame {
 };
 
 /// Frenet's frame at each parameter, also as a limit. Normal and binormal are NaN where the curve is straight, and all
-/// three where it stands still. At a cusp the tangent is that of the way on; with the side left, of the way in.
+/// three where it is a point. At a cusp the tangent is that of the way on; with the side left, of the way in.
 void frenet_frames(const NurbsCurve& curve, std::span<const double> parameters, std::span<MovingFrame> out,
                    Side side = Side::right);
 

@@ -25,7 +25,7 @@ using VectorField = std::function<void(std::span<const glm::dvec3> points, std::
 ///         pieces and 4 for each pair of spans.
 Approximation<double> flux(const NurbsPatch& patch, const VectorField& field, double tolerance = kAreaTolerance);
 
-/// The sum of the fluxes through all patches, each to the side of its own normals.
+/// The sum of the fluxes through all patches, each to the side of its normals.
 Approximation<double> flux(const PatchSet& set, const VectorField& field, double tolerance = kAreaTolerance);
 
 }  // namespace splinecore

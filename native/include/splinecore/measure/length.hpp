@@ -8,10 +8,10 @@ namespace splinecore {
 /// To which part of itself a length is found unless asked otherwise.
 inline constexpr double kLengthTolerance = 1e-13;
 
-/// The length of the curve between two parameters of its domain (S15). A periodic curve goes on: there they may be
+/// The length of the curve between two parameters of its domain (S15). A periodic curve continues: there they may be
 /// any numbers, and turns are counted.
 ///
-/// Spans are cut at cusps, and where weights differ much. On each part, over parameters of its own, the rules of Gauss
+/// Spans are cut at cusps, and where weights differ much. On each part, over separate parameters, the rules of Gauss
 /// and Kronrod of 15 and 31 nodes, halved where they differ (adaptive quadrature; Davis and Rabinowitz 1984, 6.2). A
 /// gap of the curve has no length.
 /// @param tolerance  The length is off by at most so much of itself. Where rounding of the coordinates is more than

@@ -21,7 +21,7 @@ struct CarriedFrame {
 /// A frame at each parameter that turns about the tangent no more than it must, from the start of the domain on.
 ///
 /// By double reflection (Wang, Jüttler, Zheng and Liu 2008), each step compared with two of half its length: it is
-/// halved until they agree to 1e-10, and what is left of the difference is taken away (Richardson 1911). The steps
+/// halved until they agree to 1e-10, and the remaining difference is removed (Richardson 1911). The steps
 /// depend on the curve alone; so does a frame, which is right to about 1e-9 for a curve that turns some hundred times.
 /// Straight parts keep the frame, at corners and gaps it turns as little as it can, at a cusp the normal stays.
 /// A periodic curve takes any parameter, modulo its period; at the end of its domain the frame is that carried there.

@@ -8,7 +8,7 @@ namespace splinecore {
 /// normals point.
 bool is_closed(const PatchSet& set);
 
-/// The patches of a set with normals that go on from each to its neighbors, and outwards from what is closed: those that
+/// The patches of a set with normals that agree from each to its neighbors, and point outwards where the set is closed: those that
 /// point the other way are seen from the other side, u and v exchanged. Of patches that hang together but are open the
 /// first one stays. The pool of points is the same.
 /// @throws InvalidShape naming an edge where more than two sides meet, or from which the normals come back the other way,

@@ -10,10 +10,10 @@
 
 namespace splinecore {
 
-/// How smoothly one patch goes on as another across a side of each (S16).
+/// How smoothly one patch continues another across a side of each (S16).
 ///
-/// The single numbers are the largest along the seam that are found at its places, no bounds: where a side all but stands still, or
-/// knots nearly coincide, gap and angle between places are larger by up to 2 % of that, and curvatures more. What is measured at one place is NaN where it does not exist:
+/// The single numbers are the largest along the seam that are found at its places, no bounds: where the derivative along a side is almost zero, or
+/// knots nearly coincide, gap and angle between places are larger by up to 2 % of that, and curvatures more. A quantity at one place is NaN where it does not exist:
 /// all of it at infinity, angle and curvature where the surface has no normal, curvature also where the side stands
 /// still or the surface has none, as at the tip of a cone. Such places count for nothing.
 struct SeamContinuity {
@@ -36,7 +36,7 @@ struct SeamContinuity {
 /// where gap, angle or difference of curvatures are largest; or at the places given, in [0, 1].
 ///
 /// Places of a and b are those equally far along their parameters, of closed sides from where b passes the beginning of a.
-/// Normals are those of the way from a to b and of a's side, whichever way the parameters run, so that the angle is 0 where b goes on. Patches with a common side
+/// Normals are those of the way from a to b and of a's side, whichever way the parameters run, so that the angle is 0 where b continues a. Patches with a common side
 /// and tangent planes are as curved in every direction if they are at right angles to the side (Pegna and Wolter,
 /// 1992), so one number decides g = 2. The ends have no gap if they lie apart by no more than rounding does; other
 /// differences are none as in continuity_between(), and curvatures below the tolerance divided by the patches' size.

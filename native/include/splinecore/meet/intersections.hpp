@@ -50,16 +50,16 @@ struct PatchIntersections {
 /// Where two curves are at most `tolerance` apart: places where their distance is least, ends included, and stretches
 /// that they have in common, one for each way that a curve which folds takes. Curves that cross are found however close
 /// the crossings are; places are one only where both curves stay within the tolerance of each other from one to the
-/// other. Of a curve that ends where it begins places are in [start, end). What is farther away than 2^20 times the size,
+/// other. Of a curve that ends where it begins places are in [start, end). Parts farther away than 2^20 times the size,
 /// where a curve runs through infinity, meets nothing.
 ///
 /// Where curves touch with k derivatives in common they are within the tolerance of each other about as far as its
 /// (k + 1)th root. That is one place, which touches: where they have the k derivatives in common, found from all of that
 /// stretch, so that it is off by about the rounding of coordinates, as a part of the tolerance, of the stretch's length.
 /// A contact that rounding cannot tell from one at the end of a curve is there. It is an overlap where along three quarters of it they are evenly near: at most 1/64 of the tolerance, less their least
-/// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it goes round.
+/// distance, farther apart than where they are nearest; or where a curve ends at both of its ends, or it is closed.
 ///
-/// Where a curve folds, overlaps go on over what turns back by up to 16 tolerances, as long as curves stay beside each
+/// Where a curve folds, overlaps continue over parts that turn back by up to 16 tolerances, as long as curves stay beside each
 /// other there. Two are different only where they are farther apart along one of the curves than 64 tolerances: of others
 /// the longest stays. A place no farther than that from an overlap, from where curves stay within four tolerances, is of it.
 ///

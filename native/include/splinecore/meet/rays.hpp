@@ -31,7 +31,7 @@ struct RayHit {
 };
 
 struct RayOptions {
-  /// What of the lines counts, in multiples of the directions: from minus infinity on whole lines do. What is out by no
+  /// What of the lines counts, in multiples of the directions: from minus infinity on whole lines do. Places that are out by no
   /// more than rounding is in.
   Interval limits{0.0, std::numeric_limits<double>::infinity()};
   int threads = 0;  ///< 0: as many as are worth it

@@ -19,7 +19,7 @@ enum class SectionKind {
 };
 
 /// A curve that two shapes have in common, and its images: the points (u, v, 0) of both by the same parameter, which is
-/// nearly the length. Over the seam of a closed patch an image goes on beyond the domain.
+/// nearly the length. Over the seam of a closed patch an image continues beyond the domain.
 struct SectionCurve {
   NurbsCurve curve;
   NurbsCurve on_a;
@@ -53,7 +53,7 @@ struct Sections {
 /// which a curve is followed, so that nothing is left. A border that lies on the other patch up to rounding is followed by
 /// nearest places, and ends where the patches touch and part to the other side from there on. Where they touch the second derivatives of their distance tell along
 /// which way that stays, and whether all of a pair of parts lies beside a curve that is known. Curves also end where they
-/// come to others; such that go on in each other within the tolerance are one. Patches that match by parameters, copies
+/// come to others; those that continue each other within the tolerance are one. Patches that match by parameters, copies
 /// however refined, elevated, reversed or weighted and parts of them, are one where control points prove that they are within
 /// the tolerance, or, where those prove but 128 times as much, they are across at 7 x 7 places of each span; copies that part
 /// farther there are looked at by a smaller tolerance. Which patch is given first changes nothing but images. Where patches are within the tolerance of each other about a point at which they touch, the
@@ -64,7 +64,7 @@ struct Sections {
 Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
 /// The same with a plane; on_b and b have its coordinates. Of a patch that runs through infinity, with weights of both signs,
-/// what is farther from its control points than their size is left out.
+/// parts farther from its control points than their size is left out.
 Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance = {});
 
 }  // namespace splinecore

@@ -14,7 +14,7 @@ NurbsPatch with_domain(const NurbsPatch& patch, Axis axis, Interval domain);
 /// The same patch, plain in one direction, with both ends of that direction in its outer control points.
 NurbsPatch clamped(const NurbsPatch& patch, Axis axis);
 
-/// The same patch on knots of one direction that go on outside the domain, as wide as the spans beside it (The
+/// The same patch on knots of one direction that continue outside the domain, as wide as the spans beside it (The
 /// NURBS Book, A12.1). A periodic direction is unrolled.
 /// @throws InvalidShape if weights at an end are so different that rounding would move the patch.
 NurbsPatch unclamped(const NurbsPatch& patch, Axis axis);

@@ -43,8 +43,8 @@ void evaluate_grid(const NurbsPatch& patch, std::span<const double> u, std::span
 ///
 /// Where S_u x S_v vanishes (a pole, a collapsed edge) the normal is its limit when approached
 /// from inside the domain; NaN where derivatives up to the third have none, as where the patch is a curve or a point.
-/// A patch no wider than some roundings of its length is a curve: a rounding is one of the largest coordinate, wherever
-/// the patch is turned to.
+/// A patch no wider than some roundings of its length is a curve: a rounding is one of the largest coordinate, however
+/// the patch is turned.
 void evaluate_grid_with_normals(const NurbsPatch& patch, std::span<const double> u,
                                 std::span<const double> v, std::span<double> points,
                                 std::span<double> normals, PatchOptions options = {});

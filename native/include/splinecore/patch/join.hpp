@@ -7,7 +7,7 @@
 
 namespace splinecore {
 
-/// What two patches share where one goes on as the other: the points of the edge; the tangent planes, too; the
+/// What two patches share where one continues the other: the points of the edge; the tangent planes, too; the
 /// first derivatives across; the curvatures; the first two derivatives.
 enum class PatchSmoothness { c0, g1, c1, g2, c2 };
 
@@ -27,8 +27,8 @@ struct PatchJoin {
 /// near, as of closed edges, by the points at quarters.
 bool run_against(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b);
 
-/// Two patches with their sides brought together and the rows of points beside them moved so that one goes on
-/// smoothly as the other (S21; Farin 2002 and Faux and Pratt 1979 on composite surfaces).
+/// Two patches with their sides brought together and the rows of points beside them moved so that one
+/// continues the other smoothly (S21; Farin 2002 and Faux and Pratt 1979 on composite surfaces).
 ///
 /// Both keep their domains and the directions of their parameters. First both get, exactly, one degree and the
 /// same knots along the edge, scaled to each domain; they are clamped, but stay periodic along it where both are.

@@ -12,7 +12,7 @@ namespace splinecore {
 ///
 /// The error is the largest distance at equal parameters, at most 2 % too large. Exact, but for rounding, where
 /// the patch is smooth enough at u.
-/// @throws InvalidShape if u is no knot inside the domain, or has fewer copies; of a periodic direction the
+/// @throws InvalidShape if u is not a knot inside the domain, or has fewer copies; of a periodic direction the
 ///         first knot keeps one copy. ToleranceNotReached with a tolerance (a length) that the error exceeds.
 Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double u, int times = 1,
                                       std::optional<double> tolerance = {});

@@ -10,12 +10,12 @@
 
 namespace splinecore {
 
-/// The patch between three or four curves that go round it, in any directions: the sum of both ruled surfaces between
+/// The patch between three or four curves that close up, in any directions: the sum of both ruled surfaces between
 /// opposite ones, less the bilinear patch of the corners (Coons 1967; Farin 2002, 22; row S21). Of three the last side is a
 /// point.
 ///
 /// u runs along the first curve, v from there to the third one. The sides are the curves, rational ones with their weights
-/// multiplied so that these are 1 at both ends (standard_form()), which runs through them at another pace. Where ends lie
+/// multiplied so that these are 1 at both ends (standard_form()), which changes their parametrization. Where ends lie
 /// apart, by the tolerance at most, both are moved to their middle.
 /// @param tolerance  none: 2^-30 of the size of the curves
 /// @returns the patch, and how far an end was moved

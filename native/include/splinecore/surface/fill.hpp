@@ -10,7 +10,7 @@
 
 namespace splinecore {
 
-/// A curve that a filling ends at, or a patch from whose side it goes on, with continuity 0 to 2. The strength is not used.
+/// A curve that a filling ends at, or a patch that it continues at its side, with continuity 0 to 2. The strength is not used.
 using FillSide = std::variant<NurbsCurve, LoftNeighbor>;
 
 struct FillOptions {
@@ -18,7 +18,7 @@ struct FillOptions {
   double angle = 1e-4;              ///< from its neighbors' tangent planes, in radians, for which degrees rise or knots are added
 };
 
-/// What fills a hole, and how well it goes on.
+/// What fills a hole, and how well it continues its neighbors.
 struct Filling {
   std::vector<NurbsPatch> patches;     ///< one of four sides with corners; otherwise one for each corner or side, round a point
   double gap = 0.0;                    ///< the largest distance from a side
@@ -27,7 +27,7 @@ struct Filling {
   double inner_angle = 0.0;            ///< the largest between tangent planes of patches of the filling
 };
 
-/// The surface in a hole of three to eight sides that goes on from its neighbors, with as few control points as come within
+/// The surface in a hole of three to eight sides that continues its neighbors, with as few control points as come within
 /// the tolerances (row S21):
 /// - of four sides, from neighbors' tangent planes: the bicubic Coons patch, on whose borders the sides are what they are,
 ///   weights and all, of degree 3 to 7. See bicubic_coons().
@@ -38,24 +38,24 @@ struct Filling {
 ///   one patch; others are split from the middle of each side to a point.
 ///   Where lines that run from all sides to a point, as circles would, let expect a surface that bends more evenly, as in wide and
 ///   deep holes, patches go by that one.
-/// - where all sides go on into each other without a corner: patches from each, as it is, to a point in which they all end,
+/// - where all sides follow each other without a corner: patches from each, as it is, to a point in which they all end,
 ///   u along the side; lines go there as circles would. Their common tangent plane there is what neighbors let expect.
-/// Sides that go on into each other without a corner, from neighbors, or with a slight one that stands up from their tangent
+/// Sides that follow each other without a corner, from neighbors, or with a slight one that stands up from their tangent
 /// planes, are one side where others do not; what fills the hole
 /// leaves where they meet along the line between their neighbors.
 ///
 /// What leaves a side does so in its neighbor's tangent planes, at corners along the next side. Where neighbors do not share
-/// their tangent plane, or how it turns, at a corner, nothing can go on from both there: angle says how far it is off.
+/// their tangent plane, or how it turns, at a corner, nothing can continue both there: angle says how far it is off.
 /// Along the line to a side's middle two patches have the knots of the sides that run beside it, and no others: where the list of
 /// sides begins and which way it goes is of no matter.
 ///
 /// @returns patches, with equal control points along their common sides; with normals on one side: on every part of every span
 ///          bounds of the derivatives say so, but for what lies within the tolerance of a corner; nor do they turn by a right
 ///          angle within the tolerance where sides do not
-/// @throws InvalidShape unless there are 3 to 8 sides that go round, or where one with a neighbor turns back over it, goes on
-///         without a corner into one from no neighbor, or is next to nothing beside one that it goes on into; where one or two
+/// @throws InvalidShape unless there are 3 to 8 sides that close up, or where one with a neighbor turns back over it, runs
+///         without a corner into one from no neighbor, or is too short beside one that it runs into; where one or two
 ///         corners are left, what fills the hole would fold, as it may where weights or paces along sides differ much or
-///         curvatures are to go on far, and the sentence says where, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
+///         curvatures are to continue far, and the sentence says where, a round hole is not seen whole from its middle, or continuity is not from 0 to 2;
 ///         ToleranceNotReached where neighboring sides' ends lie apart, or the sides are not reached
 Filling fill(std::span<const FillSide> sides, const FillOptions& options = {});
 

@@ -11,7 +11,7 @@ namespace splinecore {
 
 /// What rounds the edge of two patches.
 struct RoundedEdge {
-  NurbsPatch first;    ///< what is left of the patches, up to where the ball touches them
+  NurbsPatch first;    ///< the trimmed patches, up to where the ball touches them
   NurbsPatch fillet;   ///< u along the edge, v from the first patch to the second one, by arcs
   NurbsPatch second;
   double error = 0.0;  ///< how far one of the three was found to be from where it should be
@@ -30,7 +30,7 @@ struct RoundedEdge {
 /// @param radii  at parameters of the first patch along the edge, between which they go without overshoot
 /// @param tolerance  none: 2^-20 of the size of the patches
 /// @throws InvalidShape if the sides are not one edge, their tangent planes agree, a radius is not above 0, changes faster than the
-///         ball goes on, or is too large for a patch, so that the ball does not touch it, or a side is a seam; ToleranceNotReached, which says
+///         ball rolls on, or is too large for a patch, so that the ball does not touch it, or a side is a seam; ToleranceNotReached, which says
 ///         where along the edge, and whether by a knot of a patch or by the radius.
 RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch& second, Border second_side,
                    std::span<const RailNumber> radii, std::optional<double> tolerance = {});

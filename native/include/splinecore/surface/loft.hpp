@@ -27,19 +27,19 @@ enum class LoftStyle {
   straight,  ///< by segments
 };
 
-/// What is made of the weights of sections, which may be multiplied by any factor without changing their curves.
+/// How the weights of sections are used, which may be multiplied by any factor without changing their curves.
 enum class SectionWeights {
   scaled,  ///< each section's are divided by their mean
   kept,    ///< as they are given
 };
 
-/// What becomes of corners of sections.
+/// How corners of sections are kept.
 enum class LoftCorners {
   free,     ///< they lie where the parameters of each section have them: the surface has a knot for each
   matched,  ///< where all sections have as many, all have the same parameters: the surface has an edge for each
 };
 
-/// A patch that a loft goes on from at its first or last section, which is a side of that patch.
+/// A patch that a loft continues at its first or last section, which is a side of that patch.
 struct LoftNeighbor {
   NurbsPatch patch;
   Border side;
@@ -105,7 +105,7 @@ LoftSurface loft(std::span<const LoftSection> sections, const LoftOptions& optio
 /// sections that are aligned counts as any other place.
 std::vector<std::size_t> corner_counts(std::span<const LoftSection> sections, const LoftOptions& options = {});
 
-/// The surface from a side of one patch to a side of another one that goes on from both: a loft of two neighbors, one
+/// The surface from a side of one patch to a side of another one that continues both: a loft of two neighbors, one
 /// span of degree continuity + continuity + 1 across. Row S21.
 /// @param is_aligned  the second side is run through as the first one is, and closed ones are joined where they lie beside each
 ///                    other. Both keep their beginnings, so that edges stay edges: where these do not lie beside each other, lines

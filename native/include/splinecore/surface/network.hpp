@@ -37,7 +37,7 @@ struct NetworkSurface {
 /// @param tolerance  how far the surface may lie from the curves; none: 2^-20 of their size
 /// @param gap         how far curves may pass one another; none: the tolerance. With a gap the surface may lie farther from them
 ///                    by up to 8 times the largest distance at which two do
-/// @param neighbors  patches from whose tangent planes, to 1e-4 radians, the surface goes on, with continuity 1, over an outermost curve that
+/// @param neighbors  patches from whose tangent planes, to 1e-4 radians, the surface continues, with continuity 1, over an outermost curve that
 ///                    lies on their side; rational curves are then run through as polynomials. The strength is not used
 /// @throws InvalidShape naming the curves that do not meet once, are a point, cross in one place with another one or in another
 ///         order, or are fewer than four closed ones across fewer than four closed ones, or a neighbor beside none of the

@@ -37,7 +37,7 @@ struct SweepOptions {
   double end_scale = 1.0;              ///< sections grow evenly by the length of the rail up to this factor
   std::vector<RailNumber> scales;      ///< and by factors between which it goes without overshoot; empty: 1
   std::optional<NurbsCurve> scale;     ///< and by what x of a curve is at the parameters of the rail; none: 1
-  double twist = 0.0;                  ///< and turn about it by so much, in radians: 1024 turns at most
+  double twist = 0.0;                  ///< and rotation about it by this angle, in radians: 1024 turns at most
   std::optional<double> tolerance;     ///< how far the surface may be from the sweep; none: 2^-20 of the size of the rail
 };
 

@@ -45,7 +45,7 @@ class Tessellation {
   /// Whether the set has the patches, on the same knots and with the same sides in common, that this was made for.
   bool fits(const PatchSet& set) const;
 
-  /// Whether the set has the patches that this was made for, wherever their points lie. Of one that
+  /// Whether the set has the patches that this was made for, whatever their points. Of one that
   /// PatchSet::with_points() made of the same set, this is to compare two pointers.
   bool has_patches_of(const PatchSet& set) const;
 
