@@ -60,8 +60,8 @@ def check(a, b, rng, size=1.0, count=100):
     curves = [*a.outlines, *b.outlines]
     if not curves:
         return found
-    low, high = (np.array([end(curve.bounding_box()[k] for curve in curves)] )for k, end in ((0, lambda boxes: np.min(list(boxes), axis=0)), (1, lambda boxes: np.max(list(boxes), axis=0))))
-    points = rng.uniform(low[0], high[0], (count, 3))
+    boxes = np.array([curve.bounding_box() for curve in curves])
+    points = rng.uniform(boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0), (count, 3))
     apart = np.min([curve.nearest(points).distances for curve in curves], axis=0) > 1e-7 * size
     points = points[apart]
     for name, (_, rule) in OPERATIONS.items():
@@ -194,7 +194,7 @@ def test_what_is_turned_and_far_away_is_the_same(inputs):
         matrix = np.eye(4)
         matrix[:3, :3] = turn
         matrix[:3, 3] = rng.uniform(-1, 1, 3) * rng.choice([1, 1e6])
-        plain = [blob(rng, center=rng.uniform(-1, 1, 2)) for _ in range(2)]
+        plain = [blob(rng, center=rng.uniform(-0.4, 0.4, 2)) for _ in range(2)]
         a, b = (region(curve.transformed(matrix), normal=turn[:, 2]) for curve in plain)
         found = a & b
         wanted = region(plain[0]) & region(plain[1])
@@ -275,10 +275,57 @@ def test_moments_of_what_is_put_together_add_up(inputs):
         both = (a | b).second_moments(origin)
         parts = a.second_moments(origin) + (b - a).second_moments(origin) if b - a else a.second_moments(origin)
         assert both == pytest.approx(parts, abs=1e-9)
-        grid = np.stack(np.meshgrid(*2 * [(np.arange(300) + 0.5) / 60 - 2.5]), axis=-1).reshape(-1, 2)
+        grid = np.stack(np.meshgrid(*2 * [(np.arange(60) + 0.5) / 12 - 2.5]), axis=-1).reshape(-1, 2)
         inside = grid[a.contains(grid)]
-        assert a.centroid()[:2] == pytest.approx(inside.mean(axis=0), abs=3e-3)
-        assert a.second_moments(origin)[:2, :2] == pytest.approx(inside.T @ inside / 3600, abs=2e-2)
+        assert a.centroid()[:2] == pytest.approx(inside.mean(axis=0), abs=0.05)
+        assert a.second_moments(origin)[:2, :2] == pytest.approx(inside.T @ inside / 144, abs=0.2)
+
+
+def check_offset(one, distance, rng, size=1.0, count=60, **options):
+    """By places: how far they are from outlines, and on which side."""
+    found = one.offset(distance, **options)
+    assert all(is_closed_to_the_bit(curve) for curve in found.outlines)
+    boxes = np.array([curve.bounding_box() for curve in one.outlines])
+    points = rng.uniform(boxes[:, 0].min(axis=0) - abs(distance), boxes[:, 1].max(axis=0) + abs(distance), (count, 3)) * (1, 1, 0)
+    far = np.min([curve.nearest(points).distances for curve in one.outlines], axis=0)
+    sure = abs(far - abs(distance)) > 1e-5 * size
+    wanted = one.contains(points) | (far <= distance) if distance > 0 else one.contains(points) & (far >= -distance)
+    assert (found.contains(points) == wanted)[sure].all()
+    return found
+
+
+def test_offsets_in_closed_form():
+    rng = np.random.default_rng(9)
+    box = region(rectangle(0, 0, 3, 2))
+    assert check_offset(box, 0.5, rng).area() == pytest.approx(6 + 5 + math.pi / 4, rel=1e-9)
+    assert box.offset(0.5, corner="sharp").area() == pytest.approx(12, rel=1e-9)
+    assert check_offset(box, -0.5, rng).area() == pytest.approx(2, rel=1e-9)
+    assert not box.offset(-1.01) and box.offset(0.0) == box
+    ring = region(circle(0, 0, 2), circle(0, 0, 1))
+    assert check_offset(ring, 0.25, rng).area() == pytest.approx(math.pi * (2.25**2 - 0.75**2), rel=1e-9)
+    assert check_offset(ring, -0.25, rng).area() == pytest.approx(math.pi * (1.75**2 - 1.25**2), rel=1e-9)
+    closed = check_offset(ring, 1.5, rng)
+    assert len(closed.outlines) == 1 and closed.area() == pytest.approx(math.pi * 3.5**2, rel=1e-9)
+    assert not ring.offset(-0.51)
+
+
+def test_offsets_merge_and_part():
+    rng = np.random.default_rng(10)
+    two = region(rectangle(0, 0, 2, 2), rectangle(3, 0, 2, 2))
+    assert [len(check_offset(two, distance, rng).outlines) for distance in (0.4, 0.6)] == [2, 1]
+    dumbbell = region(rectangle(0, 0, 2, 2)) | region(rectangle(2, 0.75, 2, 0.5)) | region(rectangle(4, 0, 2, 2))
+    assert [len(check_offset(dumbbell, distance, rng).outlines) for distance in (-0.2, -0.3)] == [1, 2]
+    horseshoe = region(circle(0, 0, 3), circle(0, 0, 2)) - region(rectangle(0, -0.25, 4, 0.5))
+    assert [len(check_offset(horseshoe, distance, rng).outlines) for distance in (0.2, 0.3)] == [1, 2]
+    island = region(circle(0, 0, 3), circle(0, 0, 2), circle(0, 0, 1))
+    assert [len(check_offset(island, distance, rng).outlines) for distance in (0.4, -0.4, 0.6)] == [3, 3, 1]
+
+
+def test_offsets_of_random_regions(inputs):
+    rng = np.random.default_rng(11)
+    for _ in range(inputs(40)):
+        one = region(*(blob(rng, degree=int(rng.integers(1, 6)), center=rng.uniform(-1, 1, 2)) for _ in range(rng.integers(1, 3))))
+        check_offset(one, rng.uniform(-0.3, 0.3), rng)
 
 
 def test_regions_are_values():
@@ -333,5 +380,8 @@ def test_letters_of_a_font():
         assert one.area() == pytest.approx(abs(sum(curve.signed_area() for curve in dict(glyph_curves(letter))[letter])), rel=1e-9)
     for a, b in ("B8", "8@", "@&", "Oi", "ge", "BB"):
         check(letters[a], letters[b], rng, 1000.0, 50)
+    check_offset(letters["B"], 40.0, rng, 1000.0)
+    assert len(check_offset(letters["B"], 400.0, rng, 1000.0).outlines) == 1
+    check_offset(letters["8"], -60.0, rng, 1000.0)
     holes = {letter: sum(curve.signed_area() < 0 for curve in one.outlines) for letter, one in letters.items()}
     assert {letter: holes[letter] for letter in "B8Oi"} == {"B": 2, "8": 2, "O": 1, "i": 0}

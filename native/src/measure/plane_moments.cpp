@@ -57,10 +57,11 @@ class HeightRange {
 
   double radius() const { return radius_; }
 
-  /// @throws InvalidShape unless all are one, but for 1e-9 of the size
+  /// @throws InvalidShape unless all are one, but for 1e-9 of the size, or rounding of coordinates, of which the largest are about 1
   double height() const {
     constexpr double kFlat = 1e-9;
-    if (high_ - low_ > kFlat * radius_) {
+    constexpr double kRounding = 0x1p-48;
+    if (high_ - low_ > std::max(kFlat * radius_, kRounding)) {
       throw InvalidShape("the curves are not in one plane with this normal: along it they differ by " +
                          text_of((high_ - low_) / radius_) + " of their size");
     }

@@ -13,6 +13,7 @@
 #include "splinecore/build/part.hpp"
 #include "splinecore/curve/ends.hpp"
 #include "splinecore/curve/evaluate.hpp"
+#include "splinecore/curve/join.hpp"
 #include "splinecore/curve/moebius.hpp"
 #include "splinecore/measure/bounding_box.hpp"
 #include "splinecore/meet/intersections.hpp"
@@ -35,6 +36,17 @@ glm::dvec3 place_on(const NurbsCurve& curve, double at) {
   glm::dvec3 point;
   evaluate(curve, {&at, 1}, std::span(&point.x, 3));
   return point;
+}
+
+/// From one parameter on to another one, over the end of the curve where that is not behind it. A turn added to a parameter and taken
+/// away again would leave it beside a knot by rounding.
+NurbsCurve stretch_of(const NurbsCurve& curve, double from, double to) {
+  if (to > from) return part(curve, from, to);
+  const Interval domain = curve.domain();
+  const NurbsCurve before = part(curve, from, domain.end);
+  if (to == domain.start) return before;
+  const NurbsCurve behind = part(curve, domain.start, to);
+  return joined(before, with_domain(behind, {domain.end, domain.end + behind.domain().length()}), Smoothness::c0).value;
 }
 
 bool do_meet(const Box& a, const Box& b, double room) {
@@ -171,19 +183,15 @@ class Arranger {
     std::ranges::copy_if(cuts_, std::back_inserter(own), [&](const OutlineCut& cut) { return cut.outline == i; });
     std::ranges::stable_sort(own, {}, &OutlineCut::at);
     const Interval domain = curves_[i].domain();
-    const double turn = domain.length();
-    const auto is_same = [&](const OutlineCut& a, const OutlineCut& b) { return b.at - a.at <= kSame * turn; };
+    const auto is_same = [&](const OutlineCut& a, const OutlineCut& b) { return b.at - a.at <= kSame * domain.length(); };
     own.erase(std::unique(own.begin(), own.end(), is_same), own.end());
     if (own.empty()) {
       own.push_back({i, domain.start, {}, true, made_.vertices.size()});
       made_.vertices.push_back(place_on(curves_[i], own[0].at));
     }
     for (std::size_t k = 0; k < own.size(); ++k) {
-      const bool is_last = k + 1 == own.size();
-      const OutlineCut& next = own[is_last ? 0 : k + 1];
-      // Where it starts with a turn added may lie behind where it ends, by rounding.
-      const double behind = next.at == domain.start ? domain.end : next.at + turn;
-      const NurbsCurve stretch = part(curves_[i], own[k].at, is_last ? behind : next.at);
+      const OutlineCut& next = own[k + 1 == own.size() ? 0 : k + 1];
+      const NurbsCurve stretch = stretch_of(curves_[i], own[k].at, next.at);
       if (own[k].vertex == next.vertex && own.size() > 1 && is_speck(stretch, made_.vertices[next.vertex])) continue;
       made_.outlines[i].push_back(made_.edges.size());
       made_.edges.push_back({between(stretch, own[k].vertex, next.vertex), own[k].vertex, next.vertex});
