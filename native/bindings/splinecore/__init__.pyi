@@ -437,6 +437,7 @@ class Region:
     (3.214601837, 3.141592654)
     """
 
+    @staticmethod
     def of(
         curves: Sequence[_Curve],
         normal: ArrayLike | None = None,
@@ -457,10 +458,10 @@ class Region:
         normal : array_like, optional
             Vector (3,) at right angles to the plane; by default that of the curves, towards +z.
         rule : {'even-odd', 'nonzero'}, default 'even-odd'
-            What is inside: places that curves go round an odd number of times, or any that they go round,
-            to the left less to the right.
+            Which places are inside: those around which curves run an odd number of times, or another
+            number than 0, where turns to the right are negative.
         tolerance : float, optional
-            What is so near is one, a length; by default 2^-33 of the size.
+            Places so near are one, a length; by default 2^-33 of the size.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -503,14 +504,14 @@ class Region:
         other : Region
             A region of the same plane.
         tolerance : float, optional
-            What is so near is one, a length; by default 2^-33 of the size.
+            Places so near are one, a length; by default 2^-33 of the size.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
         Returns
         -------
         Region
-            What is in one of them or in both.
+            Places in one of them or in both.
 
         Raises
         ------
@@ -530,14 +531,14 @@ class Region:
         other : Region
             A region of the same plane.
         tolerance : float, optional
-            What is so near is one, a length; by default 2^-33 of the size.
+            Places so near are one, a length; by default 2^-33 of the size.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
         Returns
         -------
         Region
-            What is in both.
+            Places in both.
 
         Raises
         ------
@@ -557,14 +558,14 @@ class Region:
         other : Region
             A region of the same plane.
         tolerance : float, optional
-            What is so near is one, a length; by default 2^-33 of the size.
+            Places so near are one, a length; by default 2^-33 of the size.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
         Returns
         -------
         Region
-            What is in the first one alone.
+            Places in the first one alone.
 
         Raises
         ------
@@ -577,21 +578,21 @@ class Region:
     def symmetric_difference(
         self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> Region:
-        """Find what is in one of two regions alone: `a ^ b`.
+        """Find the parts of two regions that they do not have in common: `a ^ b`.
 
         Parameters
         ----------
         other : Region
             A region of the same plane.
         tolerance : float, optional
-            What is so near is one, a length; by default 2^-33 of the size.
+            Places so near are one, a length; by default 2^-33 of the size.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
         Returns
         -------
         Region
-            What is in one, but not in both.
+            Places in one, but not in both.
 
         Raises
         ------
@@ -611,8 +612,8 @@ class Region:
     ) -> Region:
         """Widen or narrow a region.
 
-        Holes close, outlines merge, and what is narrow parts or goes: the result may be empty. Lines and arcs
-        of circles are moved exactly, other spans within the tolerance.
+        Holes close, outlines merge, and narrow parts are cut or vanish: the result may be empty. Lines and
+        arcs of circles are moved exactly, other spans within the tolerance.
 
         Parameters
         ----------

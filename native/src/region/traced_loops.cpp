@@ -27,9 +27,9 @@ std::size_t end_of(const Arrangement& all, const GroupedEdge& one) {
 }
 
 /// An edge as it is seen from one of its ends.
-class Ray {
+class EdgeWay {
  public:
-  Ray(const NurbsCurve& curve, bool is_from_end, const glm::dvec3& vertex) : curve_(curve), is_from_end_(is_from_end), vertex_(vertex) {
+  EdgeWay(const NurbsCurve& curve, bool is_from_end, const glm::dvec3& vertex) : curve_(curve), is_from_end_(is_from_end), vertex_(vertex) {
     for (int k = 1; k <= kLooks; ++k) far_ = std::max(far_, glm::length(way_at(static_cast<double>(k) / kLooks)));
   }
 
@@ -126,7 +126,7 @@ class LoopTracer {
   }
 
   void put_in_order(std::size_t vertex, std::vector<VertexEnd>& ends) const {
-    std::vector<Ray> rays;
+    std::vector<EdgeWay> rays;
     double radius = std::numeric_limits<double>::infinity();
     for (const VertexEnd& end : ends) {
       const GroupedEdge& edge = edges_[end.edge];

@@ -11,11 +11,11 @@
 
 namespace splinecore {
 
-/// The sum of the areas that closed curves go round, seen against a normal: those that run to the right are holes.
+/// The sum of the areas that closed curves run around, seen against a normal: those that run to the right are holes.
 /// @throws as signed_area()
 Approximation<double> enclosed_area(std::span<const NurbsCurve> outlines, const glm::dvec3& normal, double tolerance = kPlaneAreaTolerance);
 
-/// The centroid of what closed curves of one plane enclose, each as often as it goes round, seen against the normal of the plane:
+/// The centroid of what closed curves of one plane enclose, each as often as it runs around them, seen against the normal of the plane:
 /// by Green's theorem, and the rules of signed_area().
 /// @param tolerance  It is off by at most so much of half the diagonal of the box of the points, or by rounding.
 /// @throws InvalidShape if the curves are not in one plane with this normal, or enclose no area; and as signed_area()

@@ -9,10 +9,10 @@
 
 namespace splinecore {
 
-/// Which places closed curves enclose, by how often all together go round them.
+/// Which places closed curves enclose, by how often all together run around them.
 enum class FillRule { even_odd, nonzero };
 
-/// What is in two regions, or in one of them.
+/// Places in two regions, or in one of them.
 enum class RegionOperation { united, common, without, in_one };
 
 /// A part of a plane within closed curves: outer borders and borders of holes, in any number; none of an empty one.
@@ -23,7 +23,7 @@ class Region {
   /// What closed curves of one plane enclose. Those that cross or touch themselves or each other, or run along each other, are cut
   /// there and put together again, of parts of them; others stay as they are, turned where they run the wrong way.
   /// @param normal     of the plane; none: that of the curves, towards +z
-  /// @param tolerance  what is so near is one; none: 2^-33 of how far all control points reach from their middle
+  /// @param tolerance  places so near are one; none: 2^-33 of how far all control points reach from their middle
   /// @throws InvalidShape naming a curve that is open, not in the plane, or encloses nothing; and as combined()
   static Region of(std::span<const NurbsCurve> curves, std::optional<glm::dvec3> normal = {}, FillRule rule = FillRule::even_odd,
                    std::optional<double> tolerance = {});
