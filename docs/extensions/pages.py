@@ -15,7 +15,7 @@ import python_pages  # noqa: E402
 CPP_ROOMS = {
     "base": "Errors, intervals, points, long calls", "basis": "Knot vectors and bases", "curve": "Curves and their verbs",
     "patch": "Patches and their verbs", "convert": "Changes of form", "formula": "Formulas", "measure": "Lengths, areas, curvature",
-    "meet": "Where shapes meet", "build": "Shapes from points and formulas", "fit": "Shapes through points", "conic": "Conics",
+    "meet": "Where shapes meet", "build": "Shapes from points and formulas", "region": "Plane regions", "fit": "Shapes through points", "conic": "Conics",
     "surface": "Lofts, sweeps, networks, fillings, fillets, subdivision",
     "tessellate": "Meshes", "exchange": "JSON",
 }

@@ -24,6 +24,7 @@ MODULES = {
 GROUPS = {
     "Curves": ("NurbsCurve", "BezierCurve", "HermiteCurve", "PowerCurve"),
     "Patches, sets and meshes": ("NurbsPatch", "BezierPatch", "HermitePatch", "PatchSet", "Tessellation"),
+    "Plane regions": ("Region",),
     "Formulas": ("Formula",),
 }
 

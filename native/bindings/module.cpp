@@ -65,6 +65,7 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_sections(module);
   bindings::bind_offset(module);
   bindings::bind_curve_parts(module);
+  bindings::bind_regions(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);

@@ -31,6 +31,7 @@ void bind_rays(pybind11::module_& module);
 void bind_sections(pybind11::module_& module);
 void bind_offset(pybind11::module_& module);
 void bind_curve_parts(pybind11::module_& module);
+void bind_regions(pybind11::module_& module);
 void bind_approximate(pybind11::module_& module);
 void bind_approximate_patch(pybind11::module_& module);
 void bind_drags(pybind11::module_& module);

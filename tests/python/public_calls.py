@@ -297,6 +297,18 @@ FORMULA = {
     "gradient": lambda one, at: one.gradient(0.5),
     "polynomial": lambda one, at: one.polynomial(),
 }
+REGION = {
+    "of": lambda one, at: sc.Region.of(one.outlines, one.normal, rule="nonzero"),
+    "union": lambda one, at: one.union(disk(at, 0.5)),
+    "intersection": lambda one, at: one.intersection(disk(at, 0.5)),
+    "difference": lambda one, at: one.difference(disk(at, 0.5)),
+    "symmetric_difference": lambda one, at: one.symmetric_difference(disk(at, 0.5)),
+    "offset": lambda one, at: [one.offset(0.1 * at.size), one.offset(-0.1 * at.size, corner="sharp")],
+    "contains": lambda one, at: one.contains(at.points),
+    "area": lambda one, at: one.area(),
+    "centroid": lambda one, at: one.centroid(),
+    "second_moments": lambda one, at: one.second_moments(),
+}
 KNOT_VECTOR = {
     "__init__": lambda one, at: basis.KnotVector(one.degree, one.knots, one.periodic),
     "span": lambda one, at: one.span(inside(one.domain)),
@@ -329,6 +341,7 @@ METHODS = {
     "HermitePatch": PATCH | HERMITE_PATCH | VALUE,
     "PatchSet": PATCH_SET | VALUE,
     "Tessellation": TESSELLATION | COPIES,
+    "Region": REGION | EQUAL,
     "Formula": FORMULA | EQUAL,
     "KnotVector": KNOT_VECTOR | EQUAL,
     "Samples": SAMPLES | COPIES,
@@ -400,7 +413,12 @@ def patches(at):
     yield lambda: at.patch_set
 
 
+def disk(at, x):
+    return sc.Region.of([conics.circle(xyz(at, x), at.size)])
+
+
 def others(at):
+    yield lambda: disk(at, 0)
     yield lambda: sc.Tessellation(at.patch_set, 2)
     yield lambda: sc.Formula(f"a*t^{at.degree} + sin(t)", constants={"a": at.size})
     yield lambda: at.knots

@@ -24,6 +24,7 @@ NATIVE_ARROWS = {
     'measure': {'base', 'basis', 'curve', 'patch', 'kernels'},
     'meet': {'base', 'basis', 'curve', 'patch', 'conic', 'kernels'},
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels', 'measure', 'meet'},
+    'region': {'base', 'conic', 'curve', 'measure', 'meet', 'build'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'surface': {'base', 'basis', 'conic', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
     'exchange': {'base', 'basis', 'curve', 'patch'},

@@ -18,7 +18,7 @@ import splinecore as sc
 PROTOCOLS = range(pickle.HIGHEST_PROTOCOL + 1)
 SHAPES = {type(one).__name__: one for one in public_calls.subjects(public_calls.surroundings(3))}
 KEPT = ["NurbsCurve", "BezierCurve", "HermiteCurve", "PowerCurve", "NurbsPatch", "BezierPatch", "HermitePatch",
-        "PatchSet", "Formula", "KnotVector", "ImplicitConic"]
+        "PatchSet", "Region", "Formula", "KnotVector", "ImplicitConic"]
 RESULTS = sorted(set(SHAPES) - set(KEPT))
 
 

@@ -50,7 +50,7 @@ def stub_members(tree):
 
 def is_public(name):
     return not name.startswith("_") or name in ("__init__", "__len__", "__getitem__", "__iter__", "__eq__", "__hash__",
-                                                "__copy__", "__deepcopy__")
+                                                "__copy__", "__deepcopy__", "__bool__", "__or__", "__and__", "__sub__", "__xor__")
 
 
 def module_members(module):
@@ -93,7 +93,7 @@ def test_stubs_have_the_parameters_of_every_function(name):
         for stub, real in (pair for pair in pairs if pair[0] is not None):
             if isinstance(real, property):
                 assert [one.id for one in stub.decorator_list] == ["property"], (key, stub.name)
-            elif not re.fullmatch("__(eq|hash|len|copy|deepcopy)__", stub.name):
+            elif not re.fullmatch("__(eq|hash|len|copy|deepcopy|bool|or|and|sub|xor)__", stub.name):
                 static = any(getattr(one, "id", "") == "staticmethod" for one in stub.decorator_list)
                 assert static == inspect.isbuiltin(real) or not isinstance(value, dict), (key, stub.name)
                 assert stub_parameters(stub) == module_parameters(real), (key, stub.name)

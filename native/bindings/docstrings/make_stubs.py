@@ -211,7 +211,8 @@ def rewritten(stub, writer):
         if has_one:
             lines[first.lineno - 1:first.end_lineno] = new
         elif is_class:
-            lines[first.lineno - 1 - len(getattr(first, "decorator_list", [])):first.lineno - 1] = [*new, ""]
+            above = first.lineno - 1 - len(getattr(first, "decorator_list", []))
+            lines[above:above] = [*new, ""]
         else:
             head = lines[first.lineno - 1][:first.col_offset].rstrip()
             lines[first.lineno - 1:first.end_lineno] = [*([head] if head.strip() else []), *new]

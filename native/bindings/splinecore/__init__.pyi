@@ -35,6 +35,7 @@ __all__ = [
     "PointAtInfinity",
     "PowerCurve",
     "RayHits",
+    "Region",
     "RoundedEdge",
     "SeamContinuity",
     "Sections",
@@ -417,6 +418,341 @@ class PatchIntersections:
         """Stretches (m, 2): start and end on the curve."""
     def __copy__(self) -> PatchIntersections: ...
     def __deepcopy__(self, memo: object, /) -> PatchIntersections: ...
+
+@final
+class Region:
+    """A part of a plane within closed curves: outer borders and borders of holes, in any number.
+
+    Immutable. Seen against the normal the region lies to the left of all its outlines, which do not
+    cross. An empty region has none, and is false.
+
+    References
+    ----------
+    Lecture row S18.
+
+    Examples
+    --------
+    >>> square = sc.Region.of([sc.NurbsCurve(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)])])
+    >>> disk = sc.Region.of([sc.conics.circle((2, 0, 0), 1.0)])
+    >>> round((square - disk).area(), 9), round((square | disk).area() + (square & disk).area() - square.area(), 9)
+    (3.214601837, 3.141592654)
+    """
+
+    @staticmethod
+    def of(
+        curves: Sequence[_Curve],
+        normal: ArrayLike | None = None,
+        *,
+        rule: Literal["even-odd", "nonzero"] = "even-odd",
+        tolerance: float | None = None,
+        cancel: _Cancel | None = None,
+    ) -> Region:
+        """Make the region that closed curves of one plane enclose.
+
+        Curves that cross, touch or overlap themselves or each other are cut there, and parts of them put
+        together; others stay as they are, reversed where they run the wrong way.
+
+        Parameters
+        ----------
+        curves : sequence of curves
+            Closed curves of any kinds; none make an empty region.
+        normal : array_like, optional
+            Vector (3,) at right angles to the plane; by default that of the curves, towards +z.
+        rule : {'even-odd', 'nonzero'}, default 'even-odd'
+            Which places are inside: those around which curves run an odd number of times, or another
+            number than 0, where turns to the right are negative.
+        tolerance : float, optional
+            Places so near are one, a length; by default 2^-33 of the size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            The region.
+
+        Raises
+        ------
+        InvalidShape
+            If a curve is open, not in the plane or encloses nothing, or if curves run along each other so
+            that the tolerance does not tell what lies between them.
+        PointAtInfinity
+            If a curve runs to infinity.
+        Cancelled
+            If `cancel` returned true.
+
+        Examples
+        --------
+        >>> ring = sc.Region.of([sc.conics.circle((0, 0, 0), 2.0), sc.conics.circle((0, 0, 0), 1.0)])
+        >>> round(ring.area() / np.pi, 9)
+        3.0
+        """
+    @property
+    def outlines(self) -> tuple[NurbsCurve, ...]:
+        """The closed curves that bound the region, which lies to their left."""
+    @property
+    def normal(self) -> _Floats:
+        """The unit vector (3,) that the region is seen against."""
+    def union(
+        self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Region:
+        """Unite two regions: `a | b`.
+
+        Outlines of the result are exact: parts of those of both, closed in every bit.
+
+        Parameters
+        ----------
+        other : Region
+            A region of the same plane.
+        tolerance : float, optional
+            Places so near are one, a length; by default 2^-33 of the size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            Places in one of them or in both.
+
+        Raises
+        ------
+        InvalidShape
+            If the planes differ, or outlines run along each other so that the tolerance does not tell
+            what lies between them.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def intersection(
+        self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Region:
+        """Find what two regions have in common: `a & b`.
+
+        Parameters
+        ----------
+        other : Region
+            A region of the same plane.
+        tolerance : float, optional
+            Places so near are one, a length; by default 2^-33 of the size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            Places in both.
+
+        Raises
+        ------
+        InvalidShape
+            If the planes differ, or outlines run along each other so that the tolerance does not tell
+            what lies between them.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def difference(
+        self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Region:
+        """Take a region away from another one: `a - b`.
+
+        Parameters
+        ----------
+        other : Region
+            A region of the same plane.
+        tolerance : float, optional
+            Places so near are one, a length; by default 2^-33 of the size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            Places in the first one alone.
+
+        Raises
+        ------
+        InvalidShape
+            If the planes differ, or outlines run along each other so that the tolerance does not tell
+            what lies between them.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def symmetric_difference(
+        self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> Region:
+        """Find the parts of two regions that they do not have in common: `a ^ b`.
+
+        Parameters
+        ----------
+        other : Region
+            A region of the same plane.
+        tolerance : float, optional
+            Places so near are one, a length; by default 2^-33 of the size.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            Places in one, but not in both.
+
+        Raises
+        ------
+        InvalidShape
+            If the planes differ, or outlines run along each other so that the tolerance does not tell
+            what lies between them.
+        Cancelled
+            If `cancel` returned true.
+        """
+    def offset(
+        self,
+        distance: float,
+        tolerance: float | None = None,
+        *,
+        corner: Literal["round", "sharp"] = "round",
+        cancel: _Cancel | None = None,
+    ) -> Region:
+        """Widen or narrow a region.
+
+        Holes close, outlines merge, and narrow parts are cut or vanish: the result may be empty. Lines and
+        arcs of circles are moved exactly, other spans within the tolerance.
+
+        Parameters
+        ----------
+        distance : float
+            How far outlines move away from the region, into it where it is negative.
+        tolerance : float, optional
+            The largest error, a length; by default 2^-20 of the size of each outline.
+        corner : {'round', 'sharp'}, default 'round'
+            Where outlines turn away from the offset an arc, or the corner of both tangents up to four
+            times the distance away.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        Region
+            Places that are no farther than the distance from the region; of a negative distance those in
+            it that are farther than that from its outlines.
+
+        Raises
+        ------
+        InvalidShape
+            If the distance is not finite, or the offset of an outline does not close.
+        ToleranceNotReached
+            If the tolerance is not reached.
+        Cancelled
+            If `cancel` returned true.
+
+        Examples
+        --------
+        >>> square = sc.Region.of([sc.NurbsCurve(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (2, 0), (2, 2), (0, 2), (0, 0)])])
+        >>> round(square.offset(1.0).area(), 9), round(square.offset(-0.5).area(), 9), bool(square.offset(-1.5))
+        (15.141592654, 1.0, False)
+        """
+    def contains(self, points: ArrayLike) -> NDArray[np.bool_]:
+        """Tell which points, seen against the normal, are in the region or on its border.
+
+        Parameters
+        ----------
+        points : array_like
+            Points (..., 2 or 3).
+
+        Returns
+        -------
+        numpy.ndarray
+            Whether each is (...,).
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.Region.of([sc.conics.circle((0, 0, 0), 1.0)]).contains([(0.5, 0.5), (1, 0), (1, 1)]).tolist()
+        [True, True, False]
+        """
+    def area(self, *, tolerance: float = 1e-12) -> float:
+        """Measure the area.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to what lines from a middle to the outlines sweep.
+
+        Returns
+        -------
+        float
+            The area, in units of length squared.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        References
+        ----------
+        Green's theorem.
+        """
+    def centroid(self, *, tolerance: float = 1e-12) -> _Floats:
+        """Find the centroid of the area.
+
+        Parameters
+        ----------
+        tolerance : float, default 1e-12
+            The largest error, relative to half the diagonal of the box of the points.
+
+        Returns
+        -------
+        numpy.ndarray
+            Point (3,).
+
+        Raises
+        ------
+        InvalidShape
+            If the region is empty.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+        """
+    def second_moments(self, about: ArrayLike | None = None, *, tolerance: float = 1e-12) -> _Floats:
+        """Integrate d d^T over the area, where d is the vector from a point.
+
+        Parameters
+        ----------
+        about : array_like, optional
+            Point (3,); by default the centroid.
+        tolerance : float, default 1e-12
+            The largest error, relative to the trace about the centroid.
+
+        Returns
+        -------
+        numpy.ndarray
+            A symmetric matrix (3, 3), in units of length to the fourth power.
+
+        Raises
+        ------
+        InvalidShape
+            If the region is empty, or a moment is too large for a number.
+        ToleranceNotReached
+            If the tolerance takes too much work.
+
+        Examples
+        --------
+        >>> disk = sc.Region.of([sc.conics.circle((0, 0, 0), 1.0)])
+        >>> (disk.second_moments() / np.pi).round(9).diagonal().tolist()
+        [0.25, 0.25, 0.0]
+        """
+    def __or__(self, other: Region, /) -> Region: ...
+    def __and__(self, other: Region, /) -> Region: ...
+    def __sub__(self, other: Region, /) -> Region: ...
+    def __xor__(self, other: Region, /) -> Region: ...
+    def __bool__(self) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __copy__(self) -> Region: ...
+    def __deepcopy__(self, memo: object, /) -> Region: ...
 
 @final
 class Sections:

@@ -14,14 +14,15 @@ struct NearCurve {
   int parameters;  ///< were divided by this power of two
 };
 
-inline NearCurve near_origin(const NurbsCurve& curve) {
-  const Placement placement = placement_of(curve.points());
+inline NearCurve near_origin(const NurbsCurve& curve, const Placement& placement) {
   const Scales scales = scales_of(curve);
   const NurbsCurve there = placed(curve, placement);
   if (scales.weights == 0 && scales.parameters == 0) return {there, placement, 0};
   return {divided(there, {.coordinates = 0, .weights = scales.weights, .parameters = scales.parameters}), placement,
           scales.parameters};
 }
+
+inline NearCurve near_origin(const NurbsCurve& curve) { return near_origin(curve, placement_of(curve.points())); }
 
 }  // namespace splinecore
 #pragma GCC visibility pop

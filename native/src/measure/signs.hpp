@@ -69,6 +69,9 @@ class View {
 
   glm::dvec2 seen(const glm::dvec3& p) const { return {glm::dot(p, x_), glm::dot(p, y_)}; }
 
+  /// The direction that is seen so, at right angles to that of the view.
+  glm::dvec3 direction(const glm::dvec2& seen) const { return seen.x * x_ + seen.y * y_; }
+
   std::vector<glm::dvec3> seen(const std::vector<glm::dvec4>& piece) const {
     std::vector<glm::dvec3> points;
     for (const glm::dvec4& p : piece) points.emplace_back(seen(glm::dvec3(p)), p.w);
