@@ -9,8 +9,9 @@ from layouts import drawn
 from shapes import activate, require_exact
 from support import part, vertices
 
-follow, recipes, shape, starters, store = (part(name) for name in (
-    'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.shape.starters', 'bridge.data.store'))
+follow, updating, recipes, shape, starters, store = (part(name) for name in (
+    'bridge.follow.follow', 'bridge.follow.updating', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.shape.starters',
+    'bridge.data.store'))
 FOLLOW, Result = part('core.recipes.table').FOLLOW, part('core.recipes.recipe').Result
 key, state = part('bridge.data.file_state').key, part('bridge.data.file_state').state
 
@@ -304,7 +305,7 @@ def test_a_deleted_follower_costs_no_search_of_the_file_and_follows_again_when_i
     source.location.z = 1
     bpy.context.view_layer.update()
     searches = []
-    monkeypatch.setattr(follow, '_in_use', lambda found=follow._in_use: searches.append(1) or found())
+    monkeypatch.setattr(updating, 'in_use', lambda found=updating.in_use: searches.append(1) or found())
     for moved in (source, other):
         moved.location.z = 2
         bpy.context.view_layer.update()

@@ -21,7 +21,7 @@ ELSEWHERE = {
     'hold_seam', 'import_bpt', 'import_json', 'insert_on_strip', 'leave_result', 'manual', 'measure_whole', 'move_input', 'move_knot',
     'patch_through_grid', 'pick_for_operator', 'pie', 'release_joint', 'release_seam', 'remove_input', 'remove_on_strip',
     'reverse_inputs', 'select_seen', 'self_test', 'set_moving', 'set_patch_material', 'show_inputs', 'sort_inputs',
-    'tolerance_from_render', 'turn_input', 'update_now'}
+    'tolerance_from_render', 'turn_input', 'update_late', 'update_now'}
 
 
 class Drawn(list):

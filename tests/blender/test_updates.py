@@ -376,6 +376,8 @@ def test_in_background_and_for_scripts_nothing_waits(monkeypatch):
     assert handlers._budget(None) is None and handlers._budget(object()) is None
     monkeypatch.setattr(handlers.bpy, 'app', type("App", (), {'background': False}), raising=False)
     awaited, dragged = handlers._budget(object()), handlers._budget(None)
+    with part('ui.finishing').unawaited():
+        assert handlers._budget(object())._end < np.inf, "what the add-on itself asks for"
     monkeypatch.undo()
     source = curve()
     ob = follower(source)

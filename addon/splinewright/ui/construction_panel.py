@@ -71,11 +71,12 @@ def _draw_moving(layout, ob):
 def _draw_update(layout, data):
     """When the shape is made again, and whether it waits for that."""
     is_manual = data.splinewright.update_mode == 'MANUAL'
+    is_stopped = late.is_stopped(data)
     row = layout.row(align=True)
     row.prop(data.splinewright, "update_mode")
-    if is_manual:
+    if is_manual or is_stopped:
         row.operator("splinewright.update_now", icon='FILE_REFRESH')
-    if late.is_late(data):
+    if late.is_late(data) and not is_stopped:
         when = "it waits for Update Now" if is_manual else "it is updated when the mouse rests"
         texts.draw_note(layout, f"Its inputs changed: {when}")
 

@@ -13,7 +13,7 @@ from ..bridge.follow import follow
 from ..bridge.net import dragging, keyed, live
 from ..bridge.net.growing import Phase
 from ..bridge.recipes import late, recipes
-from . import deviation_paint, editing, hints, main_thread, messages, saving, texts, timers
+from . import deviation_paint, editing, finishing, hints, main_thread, messages, saving, texts, timers
 from .ui_state import forget, ui_state
 
 #: Seconds after the last move until a shape gets its exact normals.
@@ -69,7 +69,7 @@ def updated(scene, depsgraph):
 def _budget(caller):
     """The late.Budget of a step; None where there is no user who drags. caller: the frame of Python that had Blender look for
     changes, or None where it does so by itself, between two events."""
-    return None if bpy.app.background else late.Budget(is_awaited=caller is not None)
+    return None if bpy.app.background else late.Budget(is_awaited=caller is not None and not ui_state.is_unawaited)
 
 
 def _finish_late():
@@ -77,27 +77,11 @@ def _finish_late():
     if main_thread.is_away():
         timers.later(_finish_late, _SETTLE)
         return
-    due = late.waiting(_is_released())
-    if due:
-        follow.finish(due, bpy.context.evaluated_depsgraph_get())
-        _redraw()
+    if ui_state.finishing is None and late.waiting(finishing.is_released()):
+        with finishing.unawaited(), bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+            bpy.ops.splinewright.update_late('INVOKE_DEFAULT')
     if late.waiting():
         timers.later(_finish_late, _LOOK)
-
-
-def _redraw():
-    """Views, with their sidebars, and properties."""
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type in ('VIEW_3D', 'PROPERTIES'):
-                area.tag_redraw()
-
-
-def _is_released():
-    """Whether nothing is dragged any more, as far as Blender tells."""
-    if versions.knows_modal_operators:
-        return not any(window.modal_operators for window in bpy.context.window_manager.windows)
-    return ended_operators() != state.put_off_by
 
 
 @persistent

@@ -5,7 +5,7 @@ import bpy
 
 from ..bridge.data import versions
 from ..bridge.data.settings import overlays_of
-from . import editing, keymaps, preferences, stopped, toolbar
+from . import editing, finishing, keymaps, preferences, stopped, toolbar
 from .ui_state import ui_state
 
 _MOUSE = {'LEFTMOUSE': 'MOUSE_LMB', 'MIDDLEMOUSE': 'MOUSE_MMB', 'RIGHTMOUSE': 'MOUSE_RMB'}
@@ -69,9 +69,9 @@ def say_stopped():
 
 def _is_busy(window):
     """Whether a gesture is under way, whose keys are others; of Blender's own not all versions tell."""
-    if versions.knows_modal_operators and window.modal_operators:
+    if versions.knows_modal_operators and finishing.has_operators(window):
         return True
-    return any((ui_state.is_pointing, ui_state.drawn_stroke, ui_state.contour, ui_state.aimed, ui_state.pulled, ui_state.weighing, ui_state.picking,
+    return any((ui_state.finishing, ui_state.is_pointing, ui_state.drawn_stroke, ui_state.contour, ui_state.aimed, ui_state.pulled, ui_state.weighing, ui_state.picking,
                 ui_state.rounding, ui_state.moved_knot, ui_state.measured))
 
 

@@ -25,6 +25,8 @@ class UiState:
     last_join: tuple = ()                               # the ended_operators() when one was looked at; of join_notice
     errands: list = field(default_factory=list)         # of main_thread, and whether there were some lately
     frame_before: tuple = ()                            # the name of the scene and its frame when undo began with a net out
+    finishing: object = None                            # the finishing.Finishing that goes on, listening to Esc
+    is_unawaited: bool = False                          # whether no script waits for what Blender is asked to look for
     to_say: list = field(default_factory=list)          # sentences for a window, where no operator can report them
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting

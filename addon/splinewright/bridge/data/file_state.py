@@ -17,7 +17,7 @@ class FileState:
     causes: object = None                               # the bridge.recipes.causes.Index of the followers, until they have others
     made: dict = field(default_factory=dict)            # of a follower what it was made of last; of bridge.follow.follow
     costs: dict = field(default_factory=dict)           # of a follower the seconds that it took the last two times
-    late: dict = field(default_factory=dict)            # followers that are brought up to date later; of bridge.recipes.late
+    late: dict = field(default_factory=dict)            # the bridge.recipes.late.Delay of followers that are brought up to date later
     put_off_at: float = 0.0                             # when the last one was put off, by bridge.recipes.late.clock()
     put_off_by: tuple = ()                              # the ended_operators() then
     owners: dict = field(default_factory=dict)          # of a follower the key of the object in whose space it lies, or None

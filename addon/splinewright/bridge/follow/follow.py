@@ -1,15 +1,11 @@
 """Shapes that follow an object: which they are, in which order, and how they are brought up to date."""
 
-import functools
 import heapq
-import math
 
 import bpy
-import numpy as np
 from mathutils import Matrix
 
-from ...core.base.failures import Refusal, text_of
-from ...core.base.library import sc
+from ...core.base.failures import Refusal
 from ...core.recipes.table import FOLLOW
 from ...core.shape import definition as definitions
 from ..curve import handles
@@ -18,7 +14,7 @@ from ..data.file_state import block_of, key, state
 from ..keys import point_keys
 from ..recipes import causes, late, placing, recipes
 from ..shape import shape
-from . import recipe_results
+from . import recipe_results, updating
 
 
 #: What objects are called that recipes make whose label says what is done.
@@ -171,9 +167,9 @@ def take_along(data, matrix, depsgraph):
 def _in_space(data, wanted, depsgraph):
     """The object in whose space a follower lies, and the objects that it is made from. Raises Refusal where one is gone."""
     state.owners.pop(key(data), None)
-    owner, inputs = _owner_of(data, _Turn(depsgraph)), (*wanted.sources, *wanted.frames)
+    owner, inputs = updating.owner_of(data, updating.Turn(depsgraph)), (*wanted.sources, *wanted.frames)
     if None in inputs:
-        raise Refusal(f"{_missing(data, _in_use()) or 'an object it is made from was deleted'}: it stays as it was last")
+        raise Refusal(f"{_missing(data, updating.in_use()) or 'an object it is made from was deleted'}: it stays as it was last")
     if owner is None:
         raise Refusal("it is in no scene: it stays as it was last")
     return owner, inputs
@@ -197,13 +193,13 @@ def require_no_cycle(data, source):
         seen.add(key(ob))
 
 
-def refresh(changed, depsgraph, budget=None):
+def refresh(changed, depsgraph, budget=None, made=None):
     """Bring the followers of changed blocks up to date, inputs before what follows them. budget: a late.Budget by which some are
-    put off."""
+    put off; made: of some, by their keys, what is updating.Made."""
     _note(changed)
     if not state.followers:
         return
-    turn = _Turn(depsgraph, None if state.doubtful else budget)
+    turn = updating.Turn(depsgraph, budget, made, state.doubtful)
     changed = {*changed, *filter(None, map(block_of, state.doubtful))}
     state.doubtful = set()
     blocks = {*changed, *(block.data for block in changed if isinstance(block, bpy.types.Object) and block.data)}
@@ -224,7 +220,7 @@ def _update_by(index, blocks, changed, turn, done):
         done.add(key(data))
         due = blocks.intersection(causes.of(data))
         is_own = due == {data}
-        if due and _update(data, turn, is_own and data not in changed, is_own):
+        if due and updating.update(data, turn, is_own and data not in changed, is_own):
             blocks.add(data)
             for follower in index.followers_of(data):
                 if follower > number and follower not in waiting:
@@ -269,17 +265,23 @@ def _note(blocks):
 def refresh_all(changed, depsgraph):
     """Bring every follower up to date that a depsgraph shows: another frame, another file."""
     _note(changed)
-    turn, state.doubtful, state.causes = _Turn(depsgraph), set(), None
+    turn, state.doubtful, state.causes = updating.Turn(depsgraph), set(), None
     take_late()
     for data in list(map(block_of, _index().order)):
-        _update(data, turn)
+        updating.update(data, turn)
         if depsgraph.mode == 'VIEWPORT' and recipes.watch(data):
             state.doubtful.add(key(data))           # its driver was taken away: now Blender evaluates what it needs
 
 
-def finish(blocks, depsgraph):
-    """Bring late.blocks() up to date, and what follows them."""
-    refresh(_taken(blocks), depsgraph)
+def finish(blocks, depsgraph, budget=None, made=None):
+    """Bring late.blocks() up to date, and what follows them; budget and made as of refresh()."""
+    refresh(_taken(blocks), depsgraph, budget, made)
+
+
+def in_order(blocks):
+    """Followers, each after what it follows."""
+    numbers = {name: number for number, name in enumerate(_index().order)}
+    return sorted(blocks, key=lambda data: numbers.get(key(data), -1))
 
 
 def take_late():
@@ -289,6 +291,7 @@ def take_late():
 
 def _taken(blocks):
     if None in blocks:
+        late.forget_lost()
         scan()                          # by its mark one that was renamed is found
     found = set(filter(None, blocks))
     for data in found:
@@ -306,7 +309,7 @@ def problem(data):
         recipes.read(data)
     except store.UnreadableDefinition as error:
         return str(error)
-    missing = _missing(data, _in_use())
+    missing = _missing(data, updating.in_use())
     if missing:
         return f"{missing}: it stays as it was last"
     return problems.of(data, problems.FOLLOWING)
@@ -314,7 +317,7 @@ def problem(data):
 
 def look_for_inputs():
     """Find out which followers miss an object that they are made from."""
-    in_use = _in_use()
+    in_use = updating.in_use()
     for data in _blocks():
         problems.set_problem(data, problems.INPUTS, _missing(data, in_use))
 
@@ -343,126 +346,6 @@ def _in_words(name, ob):
     return f"{kind} '{name}'" if name else "an object"
 
 
-class _Turn:
-    """One go of bringing followers up to date."""
-
-    def __init__(self, depsgraph, budget=None):
-        self.depsgraph, self.budget = depsgraph, budget
-
-    @functools.cached_property
-    def in_use(self):
-        return _in_use()
-
-    def shows(self, ob):
-        """As shape.is_shown()."""
-        return shape.is_shown(ob, self.depsgraph)
-
-
-def _in_use():
-    """The objects that were not deleted: those in a scene, or in a collection, which may be instanced."""
-    collections = (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes))
-    return {ob for collection in collections for ob in collection.objects}
-
-
-def _owner_of(data, turn):
-    """The object in whose space a follower lies: the first by name that is in use, or None. That is kept until an
-    object is reported that could be it: to look for one costs as much as the file has objects."""
-    name = key(data)
-    if name in state.owners:
-        known = state.owners[name]
-        owner = block_of(known) if known else None
-        if known is None or owner is not None and owner.data == data and owner in turn.in_use:
-            return owner
-    users = (ob for ob in bpy.data.objects if ob.data == data and ob in turn.in_use)
-    owner = min(users, key=lambda ob: ob.name, default=None)
-    state.owners[name] = key(owner) if owner else None
-    return owner
-
-
-def _update(data, turn, is_alone=False, is_own=False):
-    """Whether the follower changed. Whatever goes wrong is kept in words: others are to be brought up to date, too.
-
-    is_alone: whether nothing but the place of its object is another. is_own: whether nothing that it is made from is.
-    """
-    try:
-        known, (stored, space) = state.made.get(key(data)), _ready(data, turn)
-        if stored is None:
-            state.made.pop(key(data), None)     # meanwhile what it is made from may change
-            return False
-        if is_alone and placing.moves_freely(data):
-            return False
-        is_all, made_of = recipe_results.made_of(stored, space)
-        is_same = (is_all or is_own and not late.has_mark(data)) and known == (made_of, store.digest(data)) and not shape.is_touched(data)
-        if not is_same and turn.budget and not turn.budget.allows(data):
-            if not (is_own and known is None and _is_untouched(data)):
-                late.put_off(data)
-            return False
-        is_new = not is_same and _make(data, stored, space, turn.budget)
-        late.is_done(data)
-        problems.set_problem(data, problems.FOLLOWING, "")
-        state.made[key(data)] = made_of, store.digest(data)
-        return is_new
-    except sc.Cancelled:
-        late.note(data, math.inf)
-        late.put_off(data)
-        return False
-    except Exception as error:
-        late.is_done(data)
-        state.made.pop(key(data), None)
-        problems.set_problem(data, problems.FOLLOWING, _naming_input(data, text_of(error)))
-        return False
-
-
-def _ready(data, turn):
-    """(the recipes.Stored of a follower, its placing.Space); None for both where it is not to be brought up to date. Raises Refusal
-    and UnreadableDefinition."""
-    owner = _owner_of(data, turn)
-    if owner is None:
-        return None, None
-    stored = recipes.read(data)
-    pointed = *stored.sources, *stored.frames
-    if not turn.in_use.issuperset(pointed) or not all(map(turn.shows, pointed)):
-        return None, None
-    for source, was_shape in zip(stored.sources, stored.were_shapes):
-        if was_shape and not shape.has_shape(source):
-            raise Refusal(f"{source.name} is not a Splinewright shape any more: it stays as it was last")
-    return stored, placing.kept_up(data, owner, pointed, turn.depsgraph)
-
-
-def _make(data, stored, space, budget):
-    """Whether a follower is another after it was made again. Raises FAILURES, and Cancelled where that takes more than a budget."""
-    start = late.clock()
-    make = recipe_results.work(stored.recipe, stored.values, stored.sources, space, stored.frames, stored.turned)
-    result = make(budget.is_over if budget else None)
-    recipes.keep_names(data)
-    is_new = not _same(store.read(data), result.definition) or shape.is_touched(data)
-    if is_new:
-        shape.set_definition(data, result.definition)
-        recipes.write_achieved(data, result)
-    late.note(data, late.clock() - start)
-    return is_new
-
-
-def _is_untouched(data):
-    """Whether a follower of which nothing else is known shows what it was made of: its own place does not count, nor did others
-    change it."""
-    return placing.moves_freely(data) and not late.is_late(data) and not shape.is_touched(data)
-
-
-def _naming_input(data, sentence):
-    """A sentence with the name of the one object that a follower is made from, where it lacks that."""
-    pointed = recipes.pointed_by_name(data)
-    return sentence if len(pointed) != 1 or pointed[0][0] in sentence else f"{pointed[0][0]}: {sentence}"
-
-
-def _same(a, b):
-    if a is None or a.form != b.form or len(a.pieces) != len(b.pieces) or not np.array_equal(a.pool, b.pool):
-        return False
-    return all(p.kind == q.kind and p.degree == q.degree and p.periodic == q.periodic
-               and np.array_equal(p.indices, q.indices) and all(map(np.array_equal, p.knots, q.knots))
-               for p, q in zip(a.pieces, b.pieces))
-
-
 def followers_of(ob):
     """The data-blocks that are made from an object, or go where it is."""
     return [data for blocks in (bpy.data.meshes, bpy.data.curves) for data in blocks if recipes.is_from(data, {ob})]
@@ -470,8 +353,8 @@ def followers_of(ob):
 
 def links():
     """Pairs of a follower and an object that it follows, of those that are shown."""
-    turn = _Turn(None)
-    return [(data, source) for data in _blocks() if _owner_of(data, turn) for source in recipes.all_pointers(data)]
+    turn = updating.Turn(None)
+    return [(data, source) for data in _blocks() if updating.owner_of(data, turn) for source in recipes.all_pointers(data)]
 
 
 def _blocks():

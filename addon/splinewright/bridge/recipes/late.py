@@ -7,8 +7,9 @@ mark it is brought up to date when it comes back.
 
 import math
 import time
+from dataclasses import dataclass
 
-from ..data import settings, store
+from ..data import problems, settings, store
 from ..data.file_state import block_of, ended_operators, key, state
 from . import recipes
 
@@ -17,9 +18,17 @@ _MARK = 'late'
 BUDGET = 0.03
 #: Seconds without a step after which a drag of which Blender does not tell when it ends is over.
 RELEASED = 1.0
-#: What takes longer than so many seconds is not made in the middle of a drag either.
-_SLOW = 0.5
+#: What takes longer than so many seconds is not made in the middle of a drag either, and with Esc at hand.
+SLOW = 0.5
+_STOPPED = "Esc stopped its update: Update Now makes it as its inputs are now"
 clock = time.perf_counter
+
+
+@dataclass(eq=False)
+class Delay:
+    """That a follower is late, since its inputs changed last."""
+
+    is_stopped: bool = False            # whether a user stopped what brought it up to date
 
 
 class Budget:
@@ -32,7 +41,7 @@ class Budget:
 
     def allows(self, data):
         """Whether a follower may be brought up to date in this step, by what that took before."""
-        return settings.of(data).update_mode in self._allowed and clock() + _expected(data) <= self._end
+        return settings.of(data).update_mode in self._allowed and clock() + expected(data) <= self._end
 
     def is_over(self):
         """A `cancel` as the library takes it."""
@@ -45,14 +54,16 @@ def note(data, seconds):
     state.costs[key(data)] = seconds, *before
 
 
-def _expected(data):
+def expected(data):
     """The seconds that a follower will take: the less of the last two, for once in a while the machine does something else."""
     return min(state.costs.get(key(data), (0.0,)))
 
 
 def put_off(data):
     """A follower is to be brought up to date later."""
-    state.late[key(data)] = None
+    if is_stopped(data):
+        problems.set_problem(data, problems.FOLLOWING, "")
+    state.late[key(data)] = Delay()
     state.put_off_at, state.put_off_by = clock(), ended_operators()
     data[recipes.KEY][_MARK] = True
 
@@ -69,6 +80,19 @@ def is_late(data):
     return key(data) in state.late
 
 
+def stop(data, seconds):
+    """A user stopped what brought a follower up to date, after so many seconds: it waits until its inputs change again or somebody
+    asks for it."""
+    state.late[key(data)].is_stopped = True
+    note(data, max(seconds, state.costs.get(key(data), (0.0,))[0] if expected(data) < math.inf else 0.0))
+    problems.set_problem(data, problems.FOLLOWING, _STOPPED)
+
+
+def is_stopped(data):
+    """Whether a user stopped what brought a late follower up to date."""
+    return is_late(data) and state.late[key(data)].is_stopped
+
+
 def has_mark(data):
     """Whether a follower is late, or was in the file or undo step that it comes from."""
     return recipes.has(data) and store.is_group(data[recipes.KEY]) and _MARK in data[recipes.KEY].keys()
@@ -77,7 +101,7 @@ def has_mark(data):
 def take_back(data):
     """A follower that has a mark came back. Whether it is to be brought up to date at once."""
     if settings.of(data).update_mode == settings.MANUAL:
-        state.late[key(data)] = None
+        state.late[key(data)] = Delay()
         return False
     return True
 
@@ -91,12 +115,23 @@ def blocks():
     return [found[name] for name in state.late]
 
 
+def forget_lost():
+    """Those of which blocks() has None are known by their names no more."""
+    for name in [name for name in state.late if block_of(name) is None]:
+        del state.late[name]
+
+
 def waiting(is_released=True):
     """Those of blocks() that a rest of the mouse brings up to date. is_released: whether nothing is dragged any more."""
-    is_over = is_released or clock() - state.put_off_at > RELEASED
+    is_over = is_released or rests_long()
     return [data for data in blocks() if data is None or _is_due(data, is_over)]
 
 
+def rests_long():
+    """Whether no input of what is late has changed for so long that a drag is taken to be over."""
+    return clock() - state.put_off_at > RELEASED
+
+
 def _is_due(data, is_over):
-    mode, is_slow = settings.of(data).update_mode, _SLOW < _expected(data) < math.inf
-    return mode != settings.MANUAL and (is_over or mode == settings.ALWAYS and not is_slow)
+    mode, is_slow = settings.of(data).update_mode, SLOW < expected(data) < math.inf
+    return not is_stopped(data) and mode != settings.MANUAL and (is_over or mode == settings.ALWAYS and not is_slow)

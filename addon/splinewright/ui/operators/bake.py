@@ -8,15 +8,18 @@ from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
 from .. import progress
 from . import polls, reports
+from .long_work import AtWork
 from .selected import OnSelected
 
 
-class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
+class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
     bl_idname = "splinewright.bake_animation"
     bl_label = "Bake Animation"
     bl_description = ("Bake the motion of the selected shapes to shape keys, so that they move without Splinewright; Remove "
                       "Bake reverts it")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    cursor, look = None, 0.001
 
     frame_start: IntProperty(name="First Frame", description="Where it begins; of the scene if it is not given",
                              options={'SKIP_SAVE'})
@@ -51,37 +54,32 @@ class SPLINEWRIGHT_OT_bake_animation(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error)
         self._done = 0
-        manager = context.window_manager
-        manager.progress_begin(0, count)
-        manager.modal_handler_add(self)
-        self._timer = manager.event_timer_add(0.001, window=context.window)
+        context.window_manager.progress_begin(0, count)
         context.workspace.status_text_set(f"Baking {count} frames: Esc stops it")
-        return {'RUNNING_MODAL'}
+        return self.begin_modal(context)
 
-    def modal(self, context, event):
-        if event.type == 'ESC':
-            self.cancel(context)
-            return reports.stopped(self, "Baking was stopped: nothing has changed")
-        if event.type != 'TIMER':
-            return {'RUNNING_MODAL'}
+    def work_on(self, context):
         try:
             next(self._steps)
-            self._done += 1
-            context.window_manager.progress_update(self._done)
-            return {'RUNNING_MODAL'}
         except StopIteration as end:
-            self.cancel(context)
+            self.end_modal(context)
             return self._finish(end.value)
         except FAILURES as error:
-            self.cancel(context)
+            self.end_modal(context)
             return reports.failed(self, error)
+        self._done += 1
+        context.window_manager.progress_update(self._done)
+        return {'RUNNING_MODAL'}
 
-    def cancel(self, context):
+    def put_back(self):
         self._steps.close()             # the frame is what it was
-        manager = context.window_manager
-        manager.event_timer_remove(self._timer)
-        manager.progress_end()
-        context.workspace.status_text_set(None)
+
+    def called_off(self):
+        return reports.stopped(self, "Baking was stopped: nothing has changed")
+
+    def end_modal(self, context):
+        context.window_manager.progress_end()
+        super().end_modal(context)
 
     def _begin(self, context):
         """(steps of baking.record(), how many)."""

@@ -22,6 +22,8 @@ class Gesture:
 
     #: Blender's name of the mouse cursor meanwhile; None for the usual one.
     cursor = None
+    #: What calls it off.
+    called_off_by = ('ESC', 'RIGHTMOUSE')
     _headed = None
 
     def step(self, context, event):
@@ -33,6 +35,10 @@ class Gesture:
 
     def put_back(self):
         """Let the shapes be as they were, where the gesture is called off."""
+
+    def called_off(self):
+        """What modal() returns then."""
+        return {'CANCELLED'}
 
     def takes(self, event):
         """Whether an event is part of the typed text."""
@@ -52,9 +58,9 @@ class Gesture:
     def modal(self, context, event):
         if not self.takes(event) and self.lets_pass(event):
             return {'PASS_THROUGH'}
-        if event.type in ('ESC', 'RIGHTMOUSE') and event.value == 'PRESS':
+        if event.type in self.called_off_by and event.value == 'PRESS':
             self.cancel(context)
-            return {'CANCELLED'}
+            return self.called_off()
         return self.step(context, event)
 
     def write_header(self, area, text):

@@ -7,6 +7,7 @@ import bpy
 
 from ...core.base.failures import FAILURES
 from . import reports
+from .gesture import Gesture
 
 #: Seconds that a call waits for the work before it is shown to take long, and between two looks whether it is done.
 _SHORT, _LOOK = 0.5, 0.05
@@ -40,7 +41,33 @@ class Work:
         self._stopped.set()
 
 
-class LongWork:
+class AtWork(Gesture):
+    """A modal operator that works until it is done, which work_on() tells, or stopped by Esc."""
+
+    cursor, called_off_by = 'WAIT', ('ESC',)
+    #: Seconds between two calls of work_on().
+    look = _LOOK
+
+    def work_on(self, context):
+        """What modal() returns now and again."""
+        raise NotImplementedError("work_on: each operator says what it does")
+
+    def lets_pass(self, event):
+        return False
+
+    def begin_modal(self, context):
+        self._timer = context.window_manager.event_timer_add(self.look, window=context.window)
+        return super().begin_modal(context)
+
+    def step(self, context, event):
+        return self.work_on(context) if event.type == 'TIMER' else {'RUNNING_MODAL'}
+
+    def end_modal(self, context):
+        context.window_manager.event_timer_remove(self._timer)
+        super().end_modal(context)
+
+
+class LongWork(AtWork):
     """Does what execute() takes by result_of() beforehand, when a user calls it. What execute() changes is one undo step."""
 
     _work = None
@@ -72,28 +99,21 @@ class LongWork:
         if self._work.is_done(_SHORT):
             return self._finished_work(context)
         self._began, self._said = time.monotonic() - _SHORT, None
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(_LOOK, window=context.window)
-        context.window.cursor_modal_set('WAIT')
-        manager.modal_handler_add(self)
+        self._tell(context)
+        return self.begin_modal(context)
+
+    def work_on(self, context):
+        if self._work.is_done():
+            self.end_modal(context)
+            return self._finished_work(context)
         self._tell(context)
         return {'RUNNING_MODAL'}
 
-    def modal(self, context, event):
-        if event.type == 'ESC' and event.value == 'PRESS':
-            self.cancel(context)
-            return reports.stopped(self, f"{self.bl_label} was stopped: nothing has changed")
-        if event.type == 'TIMER':
-            if self._work.is_done():
-                self._leave(context)
-                return self._finished_work(context)
-            self._tell(context)
-        return {'RUNNING_MODAL'}
-
-    def cancel(self, context):
-        """Also called by Blender, where another file is opened meanwhile."""
+    def put_back(self):
         self._work.stop()
-        self._leave(context)
+
+    def called_off(self):
+        return reports.stopped(self, f"{self.bl_label} was stopped: nothing has changed")
 
     def _finished_work(self, context):
         try:
@@ -106,8 +126,3 @@ class LongWork:
         if seconds != self._said:
             self._said = seconds
             context.workspace.status_text_set(f"{self.bl_label}: at work for {seconds} s   |   Esc: stop, nothing changes")
-
-    def _leave(self, context):
-        context.window_manager.event_timer_remove(self._timer)
-        context.window.cursor_modal_restore()
-        context.workspace.status_text_set(None)
