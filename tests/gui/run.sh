@@ -2,11 +2,13 @@
 # Installs ZIP into a throw-away profile and drives real windows under Xvfb, two scripts at a time; pictures and what each
 # prints go to OUTPUT.
 #   run.sh ZIP OUTPUT [SCRIPT…]         without one every test_*.py beside this file
+# SPLINEWRIGHT_SCREEN=1920x1080 gives windows of that size, for pictures; places of clicks are those of 1280x800.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 zip=$(realpath "$1"); output=$2; shift 2
 scripts=("$@")
 [ $# -gt 0 ] || scripts=("$here"/test_*.py)
+screen=${SPLINEWRIGHT_SCREEN:-1280x800}
 mkdir -p "$output"
 source "$here/../blender/profile.sh"
 make_profile "$zip"
@@ -20,7 +22,7 @@ export MESA_SHADER_CACHE_DIR=$SPLINEWRIGHT_OUTPUT/shaders
 start_display() {
   mkdir "$1/frames"
   # Without the lock of a caller, which it would keep if that is killed.
-  Xvfb -displayfd 4 -screen 0 1280x800x24 -fbdir "$1/frames" -nolisten tcp 4>"$1/display" >/dev/null 2>&1 8>&- &
+  Xvfb -displayfd 4 -screen 0 ${screen}x24 -fbdir "$1/frames" -nolisten tcp 4>"$1/display" >/dev/null 2>&1 8>&- &
   server=$!
   local tries
   for tries in {1..600}; do
@@ -38,8 +40,8 @@ run_script() {
   cp -r "$profile" "$own/home"
   start_display "$own" || return
   XVFB_FRAMES=$own/frames DISPLAY=$DISPLAY profile=$own/home timeout 1200 bash -c '
-    source "$0"; blender_here --enable-event-simulate --python-exit-code 1 --window-geometry 0 0 1280 800 --python "$1"
-    ' "$here/../blender/profile.sh" "$1" || code=$?
+    source "$0"; blender_here --enable-event-simulate --python-exit-code 1 --window-geometry 0 0 ${2/x/ } --python "$1"
+    ' "$here/../blender/profile.sh" "$1" "$screen" || code=$?
   kill $server
   wait $server 2>/dev/null || true
   rm -rf "$own"
