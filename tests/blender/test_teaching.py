@@ -43,7 +43,7 @@ def derive(kind, ob, **settings):
 def test_a_graph_is_the_basis_function(name):
     curve = curve_of(name)
     vector, knots = curve.knot_vector, curve.knots
-    ob = derive('basis', add(curve), width=2.0, height=0.5)
+    ob = derive('basis', add(curve), width=2.0, height=0.5, axes=False)
     graphs = ob.data.splinewright.value
     unseen = list(range(len(LINE)))
     for graph in graphs:
@@ -58,16 +58,9 @@ def test_a_graph_is_the_basis_function(name):
     require_exact(ob)
 
 
-def test_the_functions_of_the_lectures():
-    """S14: knots {0, 1, 2, 3}, whose domain is empty from degree 2 on, where no curve is."""
-    graphs = teaching.basis_graphs(sc.basis.KnotVector(1, [0, 1, 2, 3]), 3.0, 1.0)
-    assert [graph.evaluate([graph.domain[0] + 0.25]).tolist() for graph in graphs] == [
-        [[0.25, 0.25, 0]], [[1.25, 0.25, 0]]]
-
-
 def test_graphs_follow_when_the_knots_change_and_lie_below_the_curve():
     source = add(curve_of('clamped'))
-    ob = derive('basis', source)
+    ob = derive('basis', source, axes=False)
     assert len(ob.data.splinewright.value) == 6
     assert np.allclose(ob.matrix_world.translation, (0, shape.points_of(source.data)[:, 1].min() - 1.3, 0), atol=1e-6)
     source.data.splinewright.value = source.data.splinewright.value.insert_knot(2.0)
@@ -86,7 +79,7 @@ def test_a_construction_ends_in_the_point_of_the_curve(name, position, scheme):
     start, end = curve.domain
     u = start + position * (end - start)
     point = curve.evaluate([u], side='left' if position == 1.0 else 'right')[0]
-    *levels, circle = teaching.construction(curve, position, scheme, 0.1)
+    *levels, circle = [part.curve for part in teaching.construction(curve, position, scheme, 0.1)]
     assert np.allclose(np.linalg.norm(circle.evaluate(np.linspace(*circle.domain, 9)) - point, axis=1), 0.1, atol=1e-12)
     sizes = [len(level.points) for level in levels]
     assert sizes == sorted(sizes, reverse=True) and sizes[0] == curve.degree + 1
@@ -97,7 +90,7 @@ def test_a_construction_ends_in_the_point_of_the_curve(name, position, scheme):
 
 def test_every_level_divides_the_legs_of_the_level_before():
     curve = sc.BezierCurve(LINE[:5]).to_nurbs()
-    levels = teaching.construction(curve, 0.25, 'de_boor', 0.0)
+    levels = [part.curve for part in teaching.construction(curve, 0.25, 'de_boor', 0.0)]
     for before, after in zip(levels, levels[1:]):
         assert np.allclose(after.points, 0.75 * before.points[:-1] + 0.25 * before.points[1:], atol=1e-14)
 
@@ -154,7 +147,7 @@ def test_the_deleted_curve_leaves_the_last_picture_and_its_numbers_as_they_are()
 
 
 def test_a_saved_picture_is_alive_again(tmp_path):
-    derive('basis', add(curve_of('clamped')))
+    derive('basis', add(curve_of('clamped')), axes=False)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "basis.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "basis.blend"))
     part('ui.handlers').loaded()
@@ -226,7 +219,7 @@ def test_a_curve_flattened_by_its_scale_has_graphs_and_a_flat_owner_is_told():
     source = add(curve_of('clamped'))
     source.scale.z = 0.0
     bpy.context.view_layer.update()
-    assert len(derive('basis', source).data.splinewright.value) == 6
+    assert len(derive('basis', source, axes=False).data.splinewright.value) == 6
     source.scale.z = 1.0
     ob = derive('construction', source)
     value = ob.data.splinewright.value

@@ -44,7 +44,7 @@ ROOMS_WITHIN = {
         'meets': {'base', 'shape', 'verbs'},
         'joints': {'base', 'shape', 'verbs'},
         'net': {'base', 'native', 'shape', 'verbs'},
-        'analysis': {'base', 'net', 'shape', 'verbs'},
+        'analysis': {'base', 'formulas', 'net', 'shape', 'verbs'},
         'rounding': {'base', 'joints', 'verbs'},
         'surfaces': {'base', 'joints', 'meets', 'shape', 'verbs'},
         'recipes': {'base', 'deform', 'drawing', 'formulas', 'joints', 'meets', 'rounding', 'shape', 'surfaces', 'verbs'},

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay,
+from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, labels_overlay,
                measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay,
                stopped, weight_overlay)
 
@@ -14,6 +14,7 @@ _DRAWS = (
     (seams_overlay.draw, 'POST_VIEW'),
     (overlay.draw_points, 'POST_VIEW'),
     (numbers_overlay.draw_outline, 'POST_VIEW'), (numbers_overlay.draw, 'POST_PIXEL'),
+    (labels_overlay.draw, 'POST_PIXEL'),
     (aim_overlay.draw, 'POST_VIEW'),
     (pull_overlay.draw, 'POST_VIEW'),
     (pen_overlay.draw, 'POST_VIEW'),

@@ -1,6 +1,6 @@
 """Late followers are made when the mouse rests: beside Blender, one after the other, each after what it follows.
 
-What is followed may change meanwhile: then the library ends its call, and the follower waits for the next rest.
+Inputs may change meanwhile: then the library ends its call, and the follower waits for the next rest.
 """
 
 import functools
@@ -47,7 +47,7 @@ def redraw():
 
 @contextmanager
 def unawaited():
-    """Blender is asked to look for changes meanwhile, and nobody waits for what comes of them."""
+    """Blender is asked to look for changes meanwhile, and nobody waits for the results."""
     before, ui_state.is_unawaited = ui_state.is_unawaited, True
     try:
         yield
@@ -62,7 +62,7 @@ class Finishing:
         self._work, self._queue, self._began = None, [], late.clock()
 
     def go_on(self, seconds):
-        """Whether nothing is left to do now, after so many seconds at most and what cannot be stopped. What was made is shown."""
+        """Whether nothing is left to do now, after a number of seconds at most and what cannot be stopped. Results are shown."""
         with unawaited():
             return self._go_on(late.clock() + seconds)
 
@@ -76,12 +76,12 @@ class Finishing:
         return not self._work and not self._due()
 
     def drop(self):
-        """End what is under way: it stays due."""
+        """End the current work: it stays due."""
         if self._work:
             self._work.stop()
 
     def stop(self):
-        """A user wants no more of it: what is due waits until it is asked for. Returns the names of those objects."""
+        """A user stops it: due shapes wait until somebody asks for them. Returns the names of those objects."""
         due = self._due()
         for data in due:
             late.stop(data, self._seconds() if self._work and key(data) == self._name else 0.0)
@@ -89,11 +89,11 @@ class Finishing:
         return [_called(key(data)) for data in due]
 
     def takes_long(self):
-        """Whether what is made now takes longer than a user waits without being told."""
+        """Whether the current work takes longer than a user waits without a word."""
         return self._work is not None and max(self._seconds(), self._expected()) > late.SLOW
 
     def sentence(self):
-        """What is being done."""
+        """The current work in words."""
         expected = self._expected()
         about = f" of about {expected:.0f} s" if expected > max(1.0, self._seconds()) else " s"
         more = len(self._due()) - 1

@@ -49,6 +49,10 @@ def _others(concerns, *names):
     return tuple(Entry(name, concerns) for name in names)
 
 
+def _sight(name):
+    return Entry('show_sight', text=SIGHTS[name].label, settings=(('sight', name),))
+
+
 def _made(concerns, *kinds_and_icons):
     """Constructions from objects, which follow them."""
     return tuple(Entry(f"add_{kind}", concerns, icon) for kind, icon in kinds_and_icons)
@@ -110,9 +114,8 @@ CONSTRUCTION = Menu('construction', "Construction", (
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVES, ('basis', 'NONE'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas')), 'HELP')
-SHOW = Menu('show', "Show", tuple(Entry('show_sight', text=sight.label, settings=(('sight', name),)) for name, sight in SIGHTS.items()),
-            'OVERLAY')
+    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas'), _sight('LABELS')), 'HELP')
+SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name != 'LABELS'), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (
     *_tools(SHAPES, 'insert_knot', 'split'), *_tools(PATCH, 'isocurve', 'edge'), None,
@@ -143,7 +146,7 @@ CONICS = Menu('conics', "Conic", (
     *_from_numbers('MESH_CIRCLE', 'ellipse', 'parabola', 'hyperbola'), *_from_numbers('SPHERECURVE', 'arc_by_points'), None,
     *_from_numbers('CURVE_DATA', 'conic', 'foci', 'five_points', 'equation')), 'MESH_CIRCLE')
 FORMULAS = Menu('mathematical', "Mathematical", (
-    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula')), 'FILE_TEXT')
+    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula'), *_from_numbers('GRAPH', 'functions')), 'FILE_TEXT')
 ADD_CURVE = Menu('curve_add', "NURBS", (
     Entry('add_line', ANY, 'IPO_LINEAR'), Entry('add_bezier_curve', ANY, 'CURVE_BEZCURVE'),
     Entry('add_bezier_chain', ANY, 'CURVE_PATH'), Entry('add_hermite_curve', ANY, 'CURVE_DATA'),

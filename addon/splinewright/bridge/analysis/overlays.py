@@ -1,6 +1,6 @@
 """What the switches of the scene show of shapes, worked out when a shape or a number of the switch changes."""
 
-from ...core.analysis import combs, faces, frames, lines, polygon
+from ...core.analysis import combs, faces, frames, labels, lines, polygon
 from ...core.base.failures import FAILURES
 from ...core.shape import definition as definitions
 from ...core.shape import sewing
@@ -36,6 +36,11 @@ def is_known(data, what, numbers):
 def polygon_of(data):
     """The core.analysis.polygon.Polygon of a definition."""
     return polygon.of(store.read(data))
+
+
+def labels_of(data):
+    """The core.analysis.labels.Labels of a definition."""
+    return labels.of(store.read(data))
 
 
 def curves_of(data):

@@ -130,3 +130,9 @@ def _remembered(data):
         return [Layers(Look(), *part) for part in parts][:len(ends)] if len(at) == ends[-1] == len(values) // 3 else []
     except (KeyError, TypeError, ValueError, IndexError):
         return []
+
+
+def thicken(data, radius):
+    """Let a new Curve be a tube of a radius; 0: leave it a line."""
+    if radius:
+        data.bevel_depth, data.bevel_resolution = radius, 1

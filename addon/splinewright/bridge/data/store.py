@@ -250,7 +250,8 @@ def decoded(group):
         for length in entry['knots']:
             knots.append(all_knots[next_knot:next_knot + _whole(length)])
             next_knot += length
-        pieces.append(Piece(entry['kind'], indices, tuple(entry['degree']), tuple(entry['periodic']), tuple(knots)))
+        pieces.append(Piece(entry['kind'], indices, tuple(entry['degree']), tuple(entry['periodic']), tuple(knots),
+                            entry.get('name', "")))
     if next_index != len(all_indices) or next_knot != len(all_knots):
         raise Refusal("its lengths disagree")
     for array in (pool, all_indices, all_knots):

@@ -7,8 +7,7 @@ from mathutils import Matrix
 
 from ...core.base.failures import Refusal
 from ...core.recipes.table import FOLLOW
-from ...core.shape import definition as definitions
-from ..curve import handles
+from ..curve import curve_layers, handles
 from ..data import held, problems, store
 from ..data.file_state import block_of, key, state
 from ..keys import point_keys
@@ -61,7 +60,8 @@ def new_object(recipe, values, sources, resolution, depsgraph, frames=(), result
     first, space = next(iter(sources), None), first_space(sources, depsgraph)
     result = result or recipe_results.result(recipe, values, sources, space, frames)
     made = _CALLED.get(recipe.kind, recipe.label)
-    data = shape.new_data(f"{first.name} {made}" if first else made, definitions.to_value(result.definition), resolution)
+    data = shape.new_data(f"{first.name} {made}" if first else made, result.definition, resolution)
+    curve_layers.thicken(data, recipe.thickness)
     ob = bpy.data.objects.new(data.name, data)
     ob.matrix_world = Matrix(space.matrix)
     _write(data, recipe, values, sources, result, frames)
@@ -195,7 +195,7 @@ def require_no_cycle(data, source):
 
 def refresh(changed, depsgraph, budget=None, made=None):
     """Bring the followers of changed blocks up to date, inputs before what follows them. budget: a late.Budget by which some are
-    put off; made: of some, by their keys, what is updating.Made."""
+    put off; made: updating.Made of some, by their keys."""
     _note(changed)
     if not state.followers:
         return

@@ -1,4 +1,4 @@
-"""One follower brought up to date: whether it is to be, what of, and what comes of it."""
+"""One follower brought up to date: whether it is to be, what from, and with what result."""
 
 import functools
 import math
@@ -25,7 +25,7 @@ class Made(NamedTuple):
 
 
 class Turn:
-    """One go of bringing followers up to date. budget: a late.Budget, or None; made: of followers, by their keys, what is Made;
+    """One turn of bringing followers up to date. budget: a late.Budget, or None; made: the Made of followers, by their keys;
     doubtful: keys of those that may not show what they should."""
 
     def __init__(self, depsgraph, budget=None, made=None, doubtful=frozenset()):
@@ -35,7 +35,7 @@ class Turn:
         return key(data) in self._doubtful
 
     def made(self, data, made_of):
-        """What is Made for a follower, or None where it is to be made of something else now."""
+        """The Made for a follower, or None where it is to be made from something else now."""
         found = self._made.get(key(data))
         return found if found is not None and found.made_of == made_of else None
 
@@ -139,7 +139,7 @@ def _made_now(stored, space, budget, made_of):
 
 
 def _write(data, made):
-    """Whether a follower is another after it shows what is Made. Raises FAILURES."""
+    """Whether a follower is another after it shows a Made. Raises FAILURES."""
     if isinstance(made.result, Exception):
         raise made.result
     start, result = late.clock() - made.seconds, made.result

@@ -81,7 +81,7 @@ def is_late(data):
 
 
 def stop(data, seconds):
-    """A user stopped what brought a follower up to date, after so many seconds: it waits until its inputs change again or somebody
+    """A user stopped what brought a follower up to date, after a number of seconds: it waits until its inputs change again or somebody
     asks for it."""
     state.late[key(data)].is_stopped = True
     note(data, max(seconds, state.costs.get(key(data), (0.0,))[0] if expected(data) < math.inf else 0.0))
@@ -128,7 +128,7 @@ def waiting(is_released=True):
 
 
 def rests_long():
-    """Whether no input of what is late has changed for so long that a drag is taken to be over."""
+    """Whether no input of late shapes has changed for so long that a drag counts as over."""
     return clock() - state.put_off_at > RELEASED
 
 

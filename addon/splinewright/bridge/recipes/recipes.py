@@ -318,9 +318,9 @@ def _achieved(result):
     return {'error': float(result.error), 'said': result.said, 'warning': result.warning}
 
 
-def write_made(data, recipe, values, rows, error):
-    """Keep a recipe with its parameters and points, and how far what it made may lie from what it should be."""
-    store.assign(data, KEY, {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), 'error': float(error),
+def write_made(data, recipe, values, rows, result):
+    """Keep a recipe with its parameters and points, and what it says of the core.recipes.recipe.Result that the shape shows."""
+    store.assign(data, KEY, {'version': VERSION, 'kind': recipe.kind, 'parameters': dict(values), **_achieved(result),
                              'points': np.ascontiguousarray(rows, dtype=np.float64).ravel()})
     properties.show(data, recipe, values)
 

@@ -8,6 +8,7 @@ from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
 from ...core.shape import definition as definitions
 from ..cage import free_net
+from ..curve import curve_layers
 from ..data import store
 from ..recipes import recipes
 from . import shape
@@ -20,8 +21,9 @@ def new_data(name, recipe, values, points, resolution, result=None, progress=sha
     """A new Curve that a recipe makes of points. result: what it makes, where that is known; progress: as of shape.new_data().
     Raises Refusal or an error of the library."""
     result = result or recipe.make(points, **values)
-    data = shape.new_data(name, result.value, resolution, progress, points if recipe.is_endless else None)
-    recipes.write_made(data, recipe, values, points, result.error)
+    data = shape.new_data(name, result.definition, resolution, progress, points if recipe.is_endless else None)
+    curve_layers.thicken(data, recipe.thickness)
+    recipes.write_made(data, recipe, values, points, result)
     return data
 
 
@@ -60,7 +62,7 @@ def _remake(data, values, points):
     recipe = recipes.of(data)
     result = recipe.make(points, **values)
     shape.set_definition(data, result.definition, around=points if recipe.is_endless else None)
-    recipes.write_made(data, recipe, values, points, result.error)
+    recipes.write_made(data, recipe, values, points, result)
 
 
 def edited(data):

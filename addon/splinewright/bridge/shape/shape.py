@@ -10,7 +10,7 @@ from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
 from ...core.net.handles import fitting
 from ...core.shape import definition as definitions
-from ..curve import curve_layers, handles, write_curve
+from ..curve import curve_layers, handles, piece_materials, write_curve
 from ..data import blocks, held, problems, settings, store, tessellate
 from ..data.file_state import key, state
 from ..keys import keyed_seams, point_keys
@@ -49,12 +49,12 @@ def no_progress(step):
 
 
 def new_data(name, value, resolution, progress=no_progress, around=None):
-    """A new Mesh or Curve that shows the value. resolution: two numbers, of which a curve uses the first, or all that
+    """A new Mesh or Curve that shows the value, which may be a Definition. resolution: two numbers, of which a curve uses the first, or all that
     settings.start() takes.
 
     around: as of set_definition().
     """
-    definition = definitions.from_value(value)
+    definition = value if isinstance(value, definitions.Definition) else definitions.from_value(value)
     collection = bpy.data.curves if definition.has_curves else bpy.data.meshes
     data = collection.new(name, 'CURVE') if definition.has_curves else collection.new(name)
     if definition.has_curves:
@@ -205,11 +205,16 @@ def evaluated(data, definition, around=None, faces=None, has_faces=False):
     if definition.has_curves:
         value = definitions.to_value(definition)
         curves = value if isinstance(value, list) else [value]
-        lines = [line for curve in curves for line in lines_of(data, curve, around)]
-        if not lines:
+        owned = [(piece, line) for piece, curve in zip(definition.pieces, curves) for line in lines_of(data, curve, around)]
+        if not owned:
             raise sc.InvalidShape("no piece of the curve lies within reach")
-        lines = [(_single(points), closed) for points, closed in lines]
-        return Picture(np.concatenate([points for points, _ in lines]), lambda: write_curve.write(data, lines))
+        lines = [(_single(points), closed) for _, (points, closed) in owned]
+        names = [piece.name for piece, _ in owned]
+
+        def write_lines():
+            write_curve.write(data, lines)
+            piece_materials.show(data, names)
+        return Picture(np.concatenate([points for points, _ in lines]), write_lines)
     patch_set = definitions.to_patch_set(definition)
     is_known = faces is not None and faces.fits(patch_set)
     tessellation = faces if is_known else tessellate.tessellated(data, patch_set)

@@ -1,88 +1,43 @@
-"""What the lectures draw beside a curve: basis functions (S14) and the construction of a point (S6, S9, S15)."""
+"""How a point of a curve is found, step by step (S6, S9, S15)."""
 
 import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
 from ..shape import definition as definitions
+from .functions import Part
 
 
-def nurbs_of(definition, piece):
-    """A curve of a definition as NURBS; pieces are counted from 1. Raises Refusal where there is none."""
+def curve_of(definition, piece):
+    """A curve of a definition; pieces are counted from 1. Raises Refusal where there is none."""
     if not definition.has_curves:
         raise Refusal("it is made of patches: a curve is needed")
     if piece > len(definition.pieces):
         raise Refusal(f"there is no piece {piece}: the curve has {len(definition.pieces)}")
     value = definitions.to_value(definition)
-    return (value[piece - 1] if isinstance(value, list) else value).to_nurbs()
+    return value[piece - 1] if isinstance(value, list) else value
 
 
-def basis_graphs(knot_vector, width, height):
-    """The graph of every basis function over its support, a NurbsCurve each.
+def construction(curve, position, scheme, marker, first=0, last=None):
+    """The polygons of levels that lead to a point of a NurbsCurve, and a circle around the point: pictures.Part each.
 
-    The knots from first to last are as wide as `width`, the value 1 is as high as `height`. Of a periodic
-    knot vector what lies in the domain is drawn, and a function that crosses the seam in two parts.
-    """
-    degree, knots = knot_vector.degree, np.array(knot_vector.knots)
-    start, end = knots[0], knots[-1]
-    if knot_vector.periodic:
-        start, end = knot_vector.domain
-        knots = _unrolled_knots(knot_vector)
-    scale = width / (end - start)
-    graphs = []
-    for i in range(len(knots) - degree - 1):
-        graph = _within(_graph(degree, knots[i:i + degree + 2]), start, end)
-        if graph is not None:
-            points = graph.points.copy()
-            points[:, 0] = (points[:, 0] - start) * scale
-            points[:, 1] *= height
-            graphs.append(graph.with_points(points))
-    return graphs
-
-
-def _unrolled_knots(knot_vector):
-    points = np.zeros((knot_vector.count, 3))
-    curve = sc.NurbsCurve(knot_vector.degree, knot_vector.knots, points, periodic=True)
-    return np.array(curve.unrolled().knots)
-
-
-def _graph(degree, knots):
-    """(u, N(u), 0) of the one function that has these degree + 2 knots, on its support."""
-    copies = [int((knots == end).sum()) for end in (knots[0], knots[-1])]
-    padded = np.concatenate([np.full(degree + 1 - copies[0], knots[0]), knots,
-                             np.full(degree + 1 - copies[1], knots[-1])])
-    count = len(padded) - degree - 1
-    points = np.zeros((count, 3))
-    points[:, 0] = [padded[j + 1:j + degree + 1].mean() for j in range(count)]
-    points[degree + 1 - copies[0], 1] = 1.0
-    return sc.NurbsCurve(degree, padded, points)
-
-
-def _within(curve, start, end):
-    """The part of a curve in an interval, or None."""
-    first, last = curve.domain
-    if last <= start or first >= end:
-        return None
-    if first < start:
-        curve = curve.split(start)[1]
-    if last > end:
-        curve = curve.split(end)[0]
-    return curve
-
-
-def construction(curve, position, scheme, marker):
-    """The polygons of every level that lead to a point of a NurbsCurve, and a circle around the point.
-
-    position: 0 for the start of the domain, 1 for its end. scheme: 'de_boor', 'casteljau' or 'rational'.
-    Raises Refusal where the rational algorithm divides by zero.
+    position: 0 for the start of the domain, 1 for its end. scheme: 'de_boor', 'casteljau' or 'rational'. first, last: the levels that
+    are drawn; level 0 are the control points, the highest one is the point. Raises Refusal where the rational algorithm divides by
+    zero, or no level is drawn.
     """
     start, end = curve.domain
     u = min(start + position * (end - start), end)
     levels = _de_boor(curve, u) if scheme == 'de_boor' else _casteljau(curve, u, scheme == 'rational')
-    shown = [polyline for level in levels for polyline in _polylines(level)]
+    highest = len(levels) - 1
+    last = highest if last is None else min(last, highest)
+    if first > last:
+        raise Refusal(f"the levels are 0 to {highest}: there is none from {first} to {last}")
+    shown = [Part(f"level {number}", polyline) for number in range(first, last + 1) for polyline in _polylines(levels[number])]
     point = _point(curve, u)
-    if marker > 0.0 and point is not None:
-        shown.append(sc.conics.circle(point, marker))
+    if marker > 0.0 and point is not None and (last == highest or not shown):
+        shown.append(Part("point", sc.conics.circle(point, marker)))
+    if not shown:
+        raise Refusal(f"level {last} is a point: a marker with a radius shows it")
     return shown
 
 

@@ -81,6 +81,7 @@ class Recipe:
     points: tuple = ()                  # rows (x, y, z) to start from; none where the parameters or objects say all
     has_any_count: bool = False         # of points
     resolution: int = 32
+    thickness: float = 0.0              # of new curves, so that they render: the radius of Blender's bevel
     is_surface: bool = False            # it makes patches
     covers_inputs: bool = False         # what it makes lies where they do: they are hidden unless that is not wanted
     covered: Callable | None = None     # (values) -> over how many of its first inputs it lies, where not over all

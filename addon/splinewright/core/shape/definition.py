@@ -5,7 +5,7 @@ pieces are rows with w = 0. Everything is float64 and survives a round trip bit 
 """
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,15 +28,19 @@ class Piece:
     degree: tuple = ()              # NURBS: of each axis
     periodic: tuple = ()            # NURBS: of each axis
     knots: tuple = ()               # NURBS: knots, Hermite: parameters, of each axis
+    name: str = ""                  # what it is in a picture, for example the function N_{0,3}
 
     @cached_property
     def layout(self):
         """What it is beside its numbers, and how many it has of them, as JSON."""
+        name = {'name': self.name} if self.name else {}
         return json.dumps({'kind': self.kind, 'shape': list(self.indices.shape), 'degree': list(self.degree),
-                           'periodic': [bool(p) for p in self.periodic], 'knots': [len(k) for k in self.knots]})
+                           'periodic': [bool(p) for p in self.periodic], 'knots': [len(k) for k in self.knots], **name})
 
     def require_consistent(self, axes, pool_size):
         """Raises Refusal unless the counts of a piece with this number of axes fit each other and the pool."""
+        if type(self.name) is not str:
+            raise Refusal("the name of a piece is not a text")
         if self.kind not in ('bezier', 'hermite', 'nurbs'):
             raise Refusal(f"'{self.kind}' is no kind of piece")
         nets = () if self.kind != 'hermite' else (3,) if axes == 1 else (4,)
@@ -131,6 +135,11 @@ def from_value(value):
                     "or a PatchSet is expected")
 
 
+def named(definition, names):
+    """A definition with other names of its pieces."""
+    return replace(definition, pieces=tuple(replace(piece, name=name) for piece, name in zip(definition.pieces, names, strict=True)))
+
+
 def _kept(curve):
     return curve.to_nurbs() if isinstance(curve, sc.PowerCurve) else curve
 
@@ -152,7 +161,7 @@ def are_same(one, other):
 def have_same_pieces(one, other):
     """Whether two definitions agree in all but where their points are."""
     return one.form == other.form and len(one.pieces) == len(other.pieces) and all(
-        a.kind == b.kind and a.degree == b.degree and a.periodic == b.periodic and np.array_equal(a.indices, b.indices)
+        a.kind == b.kind and a.name == b.name and a.degree == b.degree and a.periodic == b.periodic and np.array_equal(a.indices, b.indices)
         and len(a.knots) == len(b.knots) and all(map(np.array_equal, a.knots, b.knots))
         for a, b in zip(one.pieces, other.pieces))
 

@@ -3,11 +3,12 @@
 import bpy
 from bpy.props import IntProperty
 
+from ...bridge.recipes import recipes
 from ...bridge.shape import recipe_edit
 from ...core.recipes.table import STARTING
 from ...core.shape import starters
 from .. import recipe_props, scene_tolerance
-from . import new_shapes
+from . import new_shapes, reports
 from .adding import AddShape, resolution_property
 
 
@@ -18,7 +19,9 @@ class _AddRecipe(AddShape):
 
     def execute(self, context):
         scene_tolerance.fill_from_scene(self, context, self.recipe)
-        return super().execute(context)
+        done = super().execute(context)
+        words = recipes.read(context.object.data).said if done == {'FINISHED'} else ""
+        return reports.finished(self, reports.Report(words)) if words else done
 
     def new_data(self, step):
         recipe = self.recipe

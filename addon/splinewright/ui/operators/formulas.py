@@ -49,7 +49,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
         active_shape.forget_asked()
         active_shape.note(self, 'piece', ob)
         try:
-            curve = teaching.nurbs_of(store.read(ob.data), self.piece)
+            curve = teaching.curve_of(store.read(ob.data), self.piece).to_nurbs()
             written = formulas.text(curve, decimals.typed(self.position))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)

@@ -35,6 +35,7 @@ SIGHTS = {
     'ISOCURVES': _Sight("Isocurves", "Lines on surfaces along which u or v stays the same", "isocurves"),
     'KNOTS': _Sight("Knots", "Where spans meet on curves and surfaces", "knots"),
     'STRIP': _Sight("Knot Strip", "The knots of the active shape on a bar", "strip"),
+    'LABELS': _Sight("Labels", "Names of control points, weights, knots and functions", "labels"),
     'NET': _Sight("Control Net", "Control polygons and control nets in Object Mode", "polygon"),
 }
 

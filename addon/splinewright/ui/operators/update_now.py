@@ -67,7 +67,7 @@ class SPLINEWRIGHT_OT_update_late(AtWork, bpy.types.Operator):
         return self.begin_modal(context)
 
     def lets_pass(self, event):
-        """Who goes on with a drag has it made later. Esc is the drag's, and stops what a user was told of."""
+        """During a drag it is made later. Esc belongs to the drag, and stops only work that the status bar shows."""
         return event.type != 'TIMER' and not (event.type == 'ESC' and self._said and has_esc())
 
     def work_on(self, context):

@@ -1,0 +1,93 @@
+"""Names of what lectures name: control points, weights, knots, functions, levels of a construction; and where they stand."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..formulas import functions
+from ..shape import definition as definitions
+from ..shape import parameters
+from ..verbs import verbs
+
+#: Shapes with more labels show none.
+MOST = 400
+#: Of a graph so many points are looked at for its highest one.
+_SAMPLES = 65
+
+
+class Label(NamedTuple):
+    """A text: its base, what stands below its line, what follows."""
+
+    base: str
+    below: str
+    after: str
+    point: tuple                        # (3,) in the space of the shape
+    part: str = ""                      # the name of the piece of a picture that it belongs to
+
+
+def of(definition):
+    """The Labels of a definition; none where there are too many."""
+    is_picture = any(piece.name for piece in definition.pieces)
+    found = _of_picture(definition) if is_picture else [*_of_points(definition), *_of_knots(definition)]
+    return found if len(found) <= MOST else []
+
+
+def _of_points(definition):
+    """Each point once, by the first piece that has it; P_i of a curve, P_{i,j} of a patch, after the number of its piece."""
+    found, known = [], set()
+    for number, piece in enumerate(definition.pieces):
+        prefix = f"{number + 1}:" if len(definition.pieces) > 1 else ""
+        indices = piece.indices if piece.kind != 'hermite' else piece.indices[0]
+        for place in np.ndindex(indices.shape):
+            row = int(indices[place])
+            x, y, z, w = definition.pool[row].tolist()
+            if row not in known and w != 0.0:
+                weight = "" if w == 1.0 else f"  w = {w:.4g}"
+                found.append(Label(f"{prefix}P", ",".join(map(str, place)), weight, (x, y, z)))
+            known.add(row)
+    return found
+
+
+def _of_knots(definition):
+    """u_i on curves at their inner knots and ends, those that coincide together."""
+    found = []
+    for curve in verbs.curves_of(definition) if definition.has_curves else ():
+        if not hasattr(curve, 'knots'):
+            continue
+        knots = np.array(curve.knots)
+        at = parameters.inner_knots(curve)
+        places = curve.evaluate(at, at_infinity='nan') if len(at) else ()
+        for u, place in zip(at, places):
+            if np.isfinite(place).all():
+                found.append(Label("u", _range(np.flatnonzero(knots == u)), f" = {u:.4g}", tuple(place.tolist())))
+    return found
+
+
+def _range(numbers):
+    return str(numbers[0]) if len(numbers) == 1 else f"{numbers[0]}…{numbers[-1]}"
+
+
+def _of_picture(definition):
+    found, named = [], set()
+    for piece, curve in zip(definition.pieces, verbs.curves_of(definition)):
+        kind, _, rest = piece.name.partition(" ")
+        if kind == functions.TICK:
+            found.append(Label("", "", rest, tuple(curve.points[0].tolist()), piece.name))
+        elif kind == "level":
+            found += _of_level(piece.name, int(rest), curve.points)
+        elif piece.name.endswith("}") and piece.name not in named:
+            named.add(piece.name)
+            base, below = piece.name[:-1].split("_{")
+            found.append(Label(base, below, "", _highest(curve), piece.name))
+    return found
+
+
+def _of_level(part, level, points):
+    """P_i, M_{01}, M_{012}: by the control points that they come from."""
+    name = "P" if level == 0 else "M"
+    return [Label(name, "".join(map(str, range(i, i + level + 1))), "", tuple(point.tolist()), part) for i, point in enumerate(points)]
+
+
+def _highest(curve):
+    points = curve.evaluate(np.linspace(*curve.domain, _SAMPLES))
+    return tuple(points[points[:, 1].argmax()].tolist())

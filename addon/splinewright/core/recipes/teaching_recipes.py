@@ -1,0 +1,85 @@
+"""Pictures of lectures: graphs of basis functions, and how a point of a curve is found."""
+
+from ..base.failures import Refusal
+from ..formulas import functions, teaching
+from ..shape import definition as definitions
+from . import wanted
+from .recipe import Parameter, Recipe, Result
+
+_PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
+_SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", choices=(
+    ("de_boor", "de Boor", "On the knots of the curve: every corner cut is a knot inserted"),
+    ("casteljau", "de Casteljau", "Of the Bezier curve in the span, homogeneous: it never breaks"),
+    ("rational", "de Casteljau, rational", "Of the Bezier curve in the span, with weights in every step: "
+     "it breaks where one is zero")))
+_FAMILY = Parameter("family", "Functions", "Which functions are drawn", "bspline", choices=(
+    ("bspline", "B-Spline", "Of a degree, on knots"), ("bernstein", "Bernstein", "The polynomials of Bezier curves"),
+    ("hermite", "Hermite", "Cubic: of points and derivatives at nodes"), ("lagrange", "Lagrange", "Polynomials that are 1 at one node"),
+    ("natural", "Natural Spline", "Cubic splines that are 1 at one node, straight at both ends")))
+_DEGREE = Parameter("degree", "Degree", "Of the functions", 2, 0, 9, where=("family", ("bspline", "bernstein")))
+_KNOTS = Parameter("knot_values", "Knots", "Knots or nodes between spaces; functions of degree p have p + 2 of them each", "0 1 2 3 4 5",
+                   where=("family", ("bspline", "hermite", "lagrange", "natural")))
+_SHOW = Parameter("show", "Show", "How the functions are drawn", "functions", choices=(
+    ("functions", "Functions", "Each function"), ("sum", "With Sum", "Each function, and the sum of those that weigh points"),
+    ("stacked", "Stacked", "Each function upon the sum of those before: together they are 1 where they are all")))
+_WIDTH = Parameter("width", "Width", "From the first to the last knot", 2.0, 1e-3, unit='LENGTH')
+_HEIGHT = Parameter("height", "Height", "Of the value 1", 1.0, unit='LENGTH')
+_AXES = Parameter("axes", "Axes", "Axes with a tick at every knot", True, before=False)
+
+
+def _functions(points, family, degree, knot_values, show, width, height, axes):
+    return _picture(_family(family, degree, _numbers(knot_values)), show, width, height, axes)
+
+
+def _basis(inputs, piece, show, width, height, axes):
+    return _picture(functions.of_curve(teaching.curve_of(inputs[0], piece)), show, width, height, axes)
+
+
+def _family(name, degree, knots):
+    if name == 'bspline':
+        return functions.of_knots(degree, knots)
+    if name == 'bernstein':
+        return functions.bernstein(degree)
+    return getattr(functions, name)(knots)
+
+
+def _numbers(text):
+    found = []
+    for word in text.replace(",", " ").split():
+        try:
+            found.append(float(word))
+        except ValueError:
+            raise Refusal(f"\"{word}\" is not a number: knots are numbers between spaces") from None
+    return found
+
+
+def _picture(family, show, width, height, axes):
+    zero = functions.zero_functions(family)
+    said = f"zero everywhere: {', '.join(zero)}" if zero else ""
+    return _of_parts(functions.picture(family, show, width, height, axes), said)
+
+
+def _of_parts(parts, said=""):
+    drawn = definitions.from_value([part.curve for part in parts])
+    return Result(definitions.named(drawn, [part.name for part in parts]), said=said)
+
+
+def _construction(inputs, piece, position, scheme, marker, first_level, last_level):
+    return _of_parts(teaching.construction(teaching.curve_of(inputs[0], piece).to_nurbs(), position, scheme, marker, first_level, last_level))
+
+
+FUNCTIONS = Recipe(
+    "functions", "Basis Functions on Knots", "The graphs of B-spline, Bernstein, Hermite, Lagrange or natural spline functions, exact",
+    (_FAMILY, _DEGREE, _KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES), _functions, resolution=16, thickness=0.006)
+RECIPES = (
+    Recipe("basis", "Basis Functions", "The graphs of the basis functions of a curve, exact; they follow when its knots change",
+           (_WIDTH, _HEIGHT, _PIECE, _SHOW, _AXES), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
+    Recipe("construction", "Construction of a Point",
+           "The polygons by which a point of a curve is found; they follow when the curve is edited",
+           (Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0), _SCHEME,
+            Parameter("marker", "Marker", "Radius of a circle around the point; 0 for none", 0.03, 0.0, unit='LENGTH'),
+            _PIECE, Parameter("first_level", "First Level", "Of the polygons that are drawn; 0 are the control points", 0, 0, 255),
+            Parameter("last_level", "Last Level", "Of the polygons that are drawn; the highest one is the point", 255, 0, 255)),
+           _construction, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
+    FUNCTIONS,
+)
