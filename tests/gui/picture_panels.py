@@ -63,26 +63,31 @@ def panels_of_sidebar():
 
 
 class Alone:
-    """One panel of the sidebar, open, with those within it."""
+    """One panel of the sidebar, open, with those within it. Blender keeps a panel closed that was, unless it has another name."""
 
     def __init__(self, wanted, panels):
         self._wanted, self._panels = below(wanted, panels), panels
-        self._own = {cls: set(getattr(cls, 'bl_options', set())) for cls in panels}
+        self._own = {cls: (cls.bl_idname, set(getattr(cls, 'bl_options', set())), getattr(cls, 'bl_parent_id', "")) for cls in panels}
 
     def __enter__(self):
         for cls in reversed(self._panels):
             bpy.utils.unregister_class(cls)
         for cls in self._wanted:
-            cls.bl_options = self._own[cls] - {'DEFAULT_CLOSED'}
-            bpy.utils.register_class(cls)
+            name, options, parent = self._own[cls]
+            self._register(cls, f"{name}_open", options - {'DEFAULT_CLOSED'}, parent and f"{parent}_open")
 
     def __exit__(self, *_):
         for cls in reversed(self._wanted):
             bpy.utils.unregister_class(cls)
         for cls in self._panels:
-            cls.bl_options = self._own[cls]
-        for cls in self._panels:
-            bpy.utils.register_class(cls)
+            self._register(cls, *self._own[cls])
+
+    @staticmethod
+    def _register(cls, name, options, parent):
+        cls.bl_idname, cls.bl_options = name, options
+        if parent:
+            cls.bl_parent_id = parent
+        bpy.utils.register_class(cls)
 
 
 def sidebar_of(view, picture):
@@ -107,7 +112,7 @@ def panels(view, name):
     found, pictures = panels_of_sidebar(), []
     roots = [cls for cls in found if not getattr(cls, 'bl_parent_id', None)]
     ordered = [each for root in roots for each in below(root, found)]
-    for root in roots:
+    for root in (cls for cls in roots if not hasattr(cls, 'poll') or cls.poll(bpy.context)):
         with Alone(root, ordered):
             yield from view.show_tab("NURBS", None)
             yield from redrawn()
