@@ -192,3 +192,22 @@ def test_five_numbers_stand_first_and_the_rest_is_folded(value, names):
     assert set(texts[::2]) == names | {f"Size {axis}" for axis in "XYZ"} and len(texts) <= 10
     others = [one for one in measure_panel.CLASSES if one != panel]
     assert all('DEFAULT_CLOSED' in one.bl_options and one.bl_parent_id == panel.bl_idname for one in others) and others
+
+
+def test_rounding_is_shown_as_zero():
+    bpy.ops.splinewright.add_nurbs_curve()
+    now = said()
+    assert now["Point Y"] == 0 and now["Curvature"] == 0 and "Radius" not in now
+    bpy.ops.splinewright.add_cylinder()
+    cylinder = bpy.context.object
+    for scale in (1e-3, 1.0, 1e5):
+        cylinder.scale = (scale, scale, scale)
+        bpy.context.view_layer.update()
+        now = said()
+        assert 0 in (now["Curvature min"], now["Curvature max"]) and now["Gauss"] == 0 and abs(now["Mean"]) > 0
+
+
+def test_what_is_small_beside_other_shapes_is_not_rounding():
+    add(sc.BezierCurve([(0, 0, 0), (1e-9, 2e-9, 0), (3e-9, 0, 0)]))
+    now = said()
+    assert now["Point Y"] == pytest.approx(1e-9, rel=1e-6) and now["Curvature"] > 1e8

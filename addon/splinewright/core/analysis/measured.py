@@ -103,14 +103,14 @@ def _place(domain, fraction):
 
 def _on_curve(curve, fraction, cancel):
     u = _place(curve.domain, fraction)
-    rows = [("u", u), ("Point", curve.evaluate(u)), ("Tangent", curve.frames(u)[0]), *_bend_of_curve(curve, u)]
+    rows = [("u", u), ("Point", _point(curve, u)), ("Tangent", curve.frames(u)[0]), *_bend_of_curve(curve, u)]
     with suppress(sc.Cancelled):
         rows.append(("Length to here", curve.length(curve.domain[0], u, tolerance=_TOLERANCE, cancel=cancel)))
     return rows
 
 
 def _bend_of_curve(curve, u):
-    curvature = float(curve.curvature(u))
+    curvature = _cleared(curve.curvature(u), 1.0 / _size(curve))
     if not curvature > 0.0:
         return [("Curvature", curvature)]
     torsion = float(curve.torsion(u))
@@ -121,13 +121,31 @@ def _bend_of_curve(curve, u):
 def _on_patch(patch, fractions):
     u, v = (_place(domain, fraction) for domain, fraction in zip(patch.domain, fractions))
     _, normals = patch.evaluate_grid_with_normals([u], [v])
-    return [("u", u), ("v", v), ("Point", patch.evaluate(u, v)), ("Normal", normals[0, 0]), *_bend_of_patch(patch, u, v)]
+    return [("u", u), ("v", v), ("Point", _point(patch, u, v)), ("Normal", normals[0, 0]), *_bend_of_patch(patch, u, v)]
 
 
 def _bend_of_patch(patch, u, v):
-    bend = patch.curvatures(u, v)
-    return [("Curvature min", float(np.min(bend.principal))), ("Curvature max", float(np.max(bend.principal))),
-            ("Mean", float(bend.mean)), ("Gauss", float(bend.gauss))]
+    bend, unit = patch.curvatures(u, v), 1.0 / _size(patch)
+    least, most = (_cleared(number, unit) for number in (np.min(bend.principal), np.max(bend.principal)))
+    return [("Curvature min", least), ("Curvature max", most), ("Mean", _cleared(bend.mean, unit)),
+            ("Gauss", float(bend.gauss) if least and most else 0.0)]
+
+
+def _point(piece, *parameters):
+    """Coordinates that are rounding beside the size of the piece are 0."""
+    size = _size(piece)
+    return np.array([_cleared(coordinate, size) for coordinate in piece.evaluate(*parameters)])
+
+
+def _size(piece):
+    """How far the control points of a piece that are finite lie apart along an axis; 1 where all are one."""
+    points = np.asarray(piece.points).reshape(-1, 3)
+    return float(np.ptp(points[np.isfinite(points).all(axis=1)], axis=0).max(initial=0.0)) or 1.0
+
+
+def _cleared(number, unit):
+    """A number, or 0 where it is rounding beside a unit."""
+    return 0.0 if abs(number) <= _ROUNDING * unit else float(number)
 
 
 def fractions_of(piece, parameters):
@@ -148,7 +166,7 @@ class Place(NamedTuple):
 def place(piece, parameters):
     """The Place at parameters. Raises as at_parameter() does."""
     at = ", ".join(f"{name} {decimals.text_of(number, _DIGITS)}" for name, number in zip("uv", parameters))
-    point = np.asarray(piece.evaluate(*parameters))
+    point = _point(piece, *parameters)
     if not _is_patch(piece):
         bend = dict(_bend_of_curve(piece, parameters[0]))
         arms = piece.frames(parameters[0], 'frenet')[:2] if "Radius" in bend else piece.frames(parameters[0])[:1]
