@@ -9,7 +9,7 @@ import patches
 from curves import value_of
 from layouts import Layout
 from natives import native_curve
-from shapes import VALUES, activate, add, enter, op
+from shapes import VALUES, activate, add, enter, leave, op
 from support import part
 
 menus, menu_table, offered, tool_table = (part(f'ui.{name}') for name in ('menus', 'menu_table', 'offered', 'tool_table'))
@@ -33,9 +33,10 @@ class Drawn(list):
         self.sizes, self._menus = {}, [""]
 
     def operator(self, name, **_):
-        self.append(name.split(".")[1])
+        module, _, operator = name.partition(".")
+        assert getattr(getattr(bpy.ops, module), operator).get_rna_type()
+        self.append(operator if module == 'splinewright' else name)
         self.count('entries')
-        assert getattr(bpy.ops.splinewright, self[-1]).get_rna_type()
         return SimpleNamespace()
 
     def menu(self, name, **_):
@@ -284,3 +285,18 @@ def test_f3_finds_no_other_command_first():
                 wrong.append((operator, label, other_path[-1], other))
     assert {operator for operator, *_ in wrong} <= _TOOLS_FIRST, wrong
     assert {menu for _, _, menu, _ in wrong} == {"Tools"}, wrong
+
+
+@pytest.mark.parametrize('state, own, other', (('curve net', 'curve.subdivide', 'mesh.loopcut_slide'),
+                                               ('patch net', 'mesh.loopcut_slide', 'curve.subdivide')))
+def test_the_menu_of_nets_lists_blenders_own_gestures(state, own, other):
+    """Each is there, and Blender has it."""
+    assert menu_table.NET.label == "Control Points"
+    STATES[state]()
+    found = {entry.operator for entry in menu_table.GESTURES.entries if entry and menus._is_shown(entry, bpy.context)}
+    assert own in found and other not in found and 'transform.translate' in found
+    for name in found:
+        module, _, operator = name.partition(".")
+        assert getattr(getattr(bpy.ops, module), operator).get_rna_type().name
+    leave()
+    assert not [entry for entry in menu_table.GESTURES.entries if entry and menus._is_shown(entry, bpy.context)]

@@ -28,8 +28,15 @@ class Entry(NamedTuple):
     settings: tuple = ()
 
 
+class Native(NamedTuple):
+    """An operator of Blender's that works in nets, in these modes."""
+
+    operator: str
+    modes: frozenset
+
+
 class Menu(NamedTuple):
-    """entries: Entry, Menu, or None for a line between groups."""
+    """entries: Entry, Native, Menu, or None for a line between groups."""
 
     name: str
     label: str
@@ -51,6 +58,10 @@ def _others(concerns, *names):
 
 def _sight(name):
     return Entry('show_sight', text=SIGHTS[name].label, settings=(('sight', name),))
+
+
+def _native(modes, *operators):
+    return tuple(Native(operator, frozenset(modes)) for operator in operators)
 
 
 def _made(concerns, *kinds_and_icons):
@@ -129,11 +140,18 @@ NET_TOOLS = Menu('net_tools', "Tools", (
 OBJECT = Menu('object', "NURBS", (
     Entry('edit_net', icon='EDITMODE_HLT'), OBJECT_TOOLS, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     FROM_OBJECTS, FROM_CURVES, FROM_SURFACES, POINTS, None, CONSTRUCTION, ANIMATION, TEACHING, SHOW), 'SURFACE_DATA')
+#: What of Blender's own changes nets, with its keys.
+GESTURES = Menu('gestures', "Blender's Gestures", (
+    *_native(('EDIT_CURVE', 'EDIT_MESH'), 'transform.translate', 'transform.resize'), None,
+    *_native(('EDIT_CURVE',), 'curve.extrude_move', 'curve.subdivide', 'curve.dissolve_verts', 'curve.delete', 'curve.cyclic_toggle',
+             'curve.make_segment', 'curve.split', 'curve.handle_type_set'),
+    *_native(('EDIT_MESH',), 'mesh.extrude_region_move', 'mesh.loopcut_slide', 'mesh.dissolve_edges', 'mesh.delete_edgeloop')),
+    'HAND')
 #: The same while nets are edited.
-NET = Menu('net', "NURBS", (
+NET = Menu('net', "Control Points", (
     Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), NET_TOOLS, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     *_others(SHAPES, 'weight_here'), *_others(CURVE, 'radius_here', 'tilt_here'),
-    Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION, SHOW), 'SURFACE_DATA')
+    Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION, SHOW, GESTURES), 'SURFACE_DATA')
 
 # Add ----------------------------------------------------------------------------------------------
 
@@ -169,9 +187,14 @@ def menus_in(menu):
     return [menu, *(below for entry in menu.entries if isinstance(entry, Menu) for below in menus_in(entry))]
 
 
+def entries_in(menu):
+    """What is in a menu and in all below it, but for menus and lines."""
+    return [entry for below in menus_in(menu) for entry in below.entries if isinstance(entry, (Entry, Native))]
+
+
 def operators_in(menu):
-    """The entries of a menu and of all below it."""
-    return [entry for below in menus_in(menu) for entry in below.entries if isinstance(entry, Entry)]
+    """The entries of a menu and of all below it that are operators of Splinewright."""
+    return [entry for entry in entries_in(menu) if isinstance(entry, Entry)]
 
 
 def entry_of(operator):

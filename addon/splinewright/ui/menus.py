@@ -24,6 +24,9 @@ def _draw_entry(layout, entry, context):
     if isinstance(entry, menu_table.Menu):
         layout.menu(entry.idname, icon=entry.icon)
         return
+    if isinstance(entry, menu_table.Native):
+        layout.operator(entry.operator)
+        return
     row = layout.row()
     row.enabled = not offered.is_gray(entry, active_shape.shapes(context))
     button = row.operator(f"splinewright.{entry.operator}", text=entry.text or offered.text_of(entry.operator), icon=entry.icon)
@@ -33,7 +36,9 @@ def _draw_entry(layout, entry, context):
 
 def _is_shown(entry, context):
     if isinstance(entry, menu_table.Menu):
-        return any(_is_shown(below, context) for below in menu_table.operators_in(entry))
+        return any(_is_shown(below, context) for below in menu_table.entries_in(entry))
+    if isinstance(entry, menu_table.Native):
+        return context.mode in entry.modes and bool(editing.nets_in_edit_mode(context))
     nets = editing.nets_in_edit_mode(context)
     if entry.concerns is menu_table.ANY:
         return True
