@@ -357,6 +357,7 @@ METHODS = {
     "RoundedEdge": COPIES,
     "SubdivisionPatches": COPIES,
     "Nearest": COPIES,
+    "NearestAmong": COPIES,
     "Intersections": COPIES,
     "PatchIntersections": COPIES,
     "RayHits": COPIES,
