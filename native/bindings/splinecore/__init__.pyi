@@ -2409,13 +2409,17 @@ class NurbsCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -2441,14 +2445,19 @@ class NurbsCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -4357,13 +4366,17 @@ class BezierCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -4389,14 +4402,19 @@ class BezierCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -6022,13 +6040,17 @@ class HermiteCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -6054,14 +6076,19 @@ class HermiteCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -7784,13 +7811,17 @@ class PowerCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -7816,14 +7847,19 @@ class PowerCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
