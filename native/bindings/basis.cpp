@@ -7,6 +7,7 @@
 #include "rooms.hpp"
 #include "splinecore/base/order.hpp"
 #include "splinecore/basis/functions.hpp"
+#include "splinecore/basis/greville.hpp"
 #include "splinecore/basis/knot_vector.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "values.hpp"
@@ -183,6 +184,9 @@ void bind_basis(py::module_& module) {
         return view_of_numbers(py::cast<const KnotVector&>(self).knots(), self);
       })
       .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); })
+      .def_property_readonly("greville", [](const KnotVector& self) {
+        return new_numbers(std::span<const double>(splinecore::greville_abscissae(self)));
+      })
       .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
       .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
       .def("function", &function_at, py::arg("i"), py::arg("u"))

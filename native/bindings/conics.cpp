@@ -1,6 +1,7 @@
 #include "approximation.hpp"
 #include "arrays.hpp"
 #include "classes.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
 #include "splinecore/conic/arcs.hpp"
@@ -220,8 +221,10 @@ void bind_forms(py::module_& conics) {
              }, py::arg("p0"), py::arg("p1"), py::arg("p2"), py::arg("w1"));
   conics.def("class_of", [](const py::object& curve) { return name_of(splinecore::conic_class(single_arc(curve))); },
              py::arg("curve"));
-  conics.def("implicit", [](const py::object& curve) { return splinecore::implicit_conic(single_arc(curve)); },
-             py::arg("curve"));
+  conics.def("implicit", [](const py::object& curve) {
+               const NurbsCurve& form = any_curve(curve, "curve");
+               return unlocked([&] { return splinecore::implicit_conic(form); });
+             }, py::arg("curve"));
   conics.def("from_implicit", [](const py::object& conic) { return splinecore::curves_of(conic_of(conic)); },
              py::arg("conic"));
   conics.def("as_hermite", &as_hermite, py::arg("curve"), py::arg("tolerance"));

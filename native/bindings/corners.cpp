@@ -16,14 +16,16 @@ using splinecore::NurbsCurve;
 namespace {
 
 void bind_curve(const CurveClasses& cls) {
-  cls.def("rounded", [](const AnyCurve& self, const py::object& radius, const py::object& cancel) {
+  cls.def("rounded", [](const AnyCurve& self, const py::object& radius, const py::object& shrink, const py::object& cancel) {
             const double of = real(radius, "radius");
-            return unlocked([&] { return splinecore::rounded(form(self), of); }, cancel);
-          }, py::arg("radius"), py::kw_only(), py::arg("cancel") = py::none());
-  cls.def("chamfered", [](const AnyCurve& self, const py::object& length, const py::object& cancel) {
+            const bool shrinks = boolean(shrink, "shrink");
+            return unlocked([&] { return splinecore::rounded(form(self), of, shrinks); }, cancel);
+          }, py::arg("radius"), py::kw_only(), py::arg("shrink") = false, py::arg("cancel") = py::none());
+  cls.def("chamfered", [](const AnyCurve& self, const py::object& length, const py::object& shrink, const py::object& cancel) {
             const double by = real(length, "length");
-            return unlocked([&] { return splinecore::chamfered(form(self), by); }, cancel);
-          }, py::arg("length"), py::kw_only(), py::arg("cancel") = py::none());
+            const bool shrinks = boolean(shrink, "shrink");
+            return unlocked([&] { return splinecore::chamfered(form(self), by, shrinks); }, cancel);
+          }, py::arg("length"), py::kw_only(), py::arg("shrink") = false, py::arg("cancel") = py::none());
 }
 
 py::tuple tuple_of(const CornerBetween& made) { return py::make_tuple(made.a, made.bridge, made.b); }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "result_pickles.hpp"
 #include "splinecore/meet/nearest.hpp"
 
 namespace bindings {
@@ -14,6 +15,9 @@ struct Nearest {
   py::array_t<double> points;
   py::array_t<double> distances;
 };
+
+template <>
+struct StateOf<Nearest> : StateOfMembers<&Nearest::parameters, &Nearest::points, &Nearest::distances> {};
 
 /// Arrays for as many points as a shape has, with parameters of another one.
 Nearest arrays_for(const Shape& shape, const Shape& parameters);

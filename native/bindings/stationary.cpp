@@ -23,13 +23,6 @@ struct StationaryPoints {
   py::tuple kinds;
 };
 
-}  // namespace
-
-template <>
-struct StateOf<Nearest> : StateOfMembers<&Nearest::parameters, &Nearest::points, &Nearest::distances> {};
-
-namespace {
-
 const char* name_of(Stationary kind) {
   if (kind == Stationary::minimum) return "minimum";
   return kind == Stationary::maximum ? "maximum" : "saddle";

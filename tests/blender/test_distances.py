@@ -182,7 +182,7 @@ def test_a_change_is_shown_at_once_by_few_places_and_in_the_end_by_many(chosen):
     target = targets.of(other)
     calls = []
     distances = target.geometry.distances
-    target.geometry.distances = lambda points, rounds: calls.append(len(points)) or distances(points, rounds)
+    target.geometry.distances = lambda points: calls.append(len(points)) or distances(points)
     quick, share, is_new = deviations.of(ob, target, True)
     assert share == 0.0 and is_new and sum(calls) <= 2500
     assert deviations.of(ob, target, False) == (quick, 0.0, False) and sum(calls) <= 2500
@@ -199,10 +199,10 @@ def test_what_takes_long_is_measured_in_many_looks_and_a_change_begins_anew(chos
     distances = target.geometry.distances
     calls = []
 
-    def slow(points, rounds):
+    def slow(points):
         calls.append(len(points))
         time.sleep(0.04)
-        return distances(points, rounds)
+        return distances(points)
     target.geometry.distances = slow
     nothing, share, is_new = deviations.of(ob, target, False)
     assert nothing is None and share == 0.0 and is_new and len(calls) < 5, "what is not quick is not measured at once"

@@ -357,6 +357,7 @@ METHODS = {
     "RoundedEdge": COPIES,
     "SubdivisionPatches": COPIES,
     "Nearest": COPIES,
+    "NearestAmong": COPIES,
     "Intersections": COPIES,
     "PatchIntersections": COPIES,
     "RayHits": COPIES,
@@ -437,6 +438,7 @@ def others(at):
     yield lambda: line.intersections(line.reversed())
     yield lambda: line.patch_intersections(sc.BezierPatch(flat))
     yield lambda: sc.BezierPatch(flat).least_distance(line)
+    yield lambda: sc.nearest([sc.BezierPatch(flat)], (0, 0, 0))
     yield lambda: sc.BezierPatch(flat).rays(xyz(at, 0.3, 0.4, 1), (0, 0, -1), hits="all")
     yield lambda: sc.BezierPatch(flat).plane_sections(xyz(at, 0.3), (1, 2, 3))
     yield lambda: build.join_patches(sc.BezierPatch(flat), "u_end", sc.BezierPatch(flat + xyz(at, 2)), "u_start")

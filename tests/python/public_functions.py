@@ -22,6 +22,8 @@ def random_rows(count, *more, seed=1):
 FUNCTIONS = {
     "sc.dumps": lambda at: sc.dumps([at.bezier, at.nurbs]),
     "sc.loads": lambda at: sc.loads(at.bezier.dumps()),
+    "sc.nearest": lambda at: [sc.nearest([at.bezier, at.nurbs], at.size * random_rows(3)),
+                              sc.nearest([at.patch, at.patch.translated(xyz(at, 1))], at.size * random_rows(3))],
     "sc.seam_continuity": lambda at: sc.seam_continuity(at.patch, "u_end", at.patch, "u_start"),
     "basis.bezier_matrix": lambda at: basis.bezier_matrix(at.degree),
     "basis.uniform_matrix": lambda at: basis.uniform_matrix(at.degree),

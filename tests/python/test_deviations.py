@@ -5,23 +5,10 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-closest, deviations, faces, lengths, measuring = (core(name) for name in (
-    'analysis.closest', 'analysis.deviations', 'analysis.faces', 'base.length_units', 'analysis.measuring'))
+deviations, faces, lengths, measuring = (core(name) for name in (
+    'analysis.deviations', 'analysis.faces', 'base.length_units', 'analysis.measuring'))
 all_at_once = measuring.all_at_once
-
-
-def hits(known, points):
-    """The nearest triangle of samples for each point, by middles, and a place on it."""
-    middle, size = closest.extent(known.points)
-    middles = known.points[known.triangles].mean(1)
-    at = (middles - middle) / size
-    nearest = np.array([((at - point) ** 2).sum(1).argmin() for point in (points - middle) / size])
-    return nearest, middles[nearest]
-
-
-def distances(pieces, points, most=6000):
-    known = closest.samples(pieces, most)
-    return closest.distances(pieces, known, *hits(known, points), points)
+distances = deviations.distances_to
 
 
 def points(count=400, seed=5):
@@ -54,26 +41,21 @@ def test_where_a_patch_ends_the_border_is_nearest_and_beside_it_the_next_patch()
     def plane(x):
         return sc.BezierPatch([[(x, 0, 0), (x, 1, 0)], [(x + 1, 0, 0), (x + 1, 1, 0)]])
     at = np.array([(-1, 0.3, 0.5), (3, 2, 0), (0.999999, 0.5, 2), (1.000001, 0.5, 2), (1.2, 0.2, 0)])
-    found = distances([plane(0), plane(1)], at, 4)
+    found = distances([plane(0), plane(1)], at)
     assert np.allclose(found, [np.hypot(1, 0.5), np.hypot(1, 1), 2, 2, 0], atol=1e-15)
 
 
-def test_a_wrong_hit_beside_a_seam_is_mended():
-    """The samples of an arc are chords: what lies nearest to one may lie beyond its end."""
+def test_pieces_of_a_circle_are_as_far_beside_their_seam():
     halves = [sc.BezierCurve([(2, 0), (2, 2), (0, 2)], [1, np.sqrt(0.5), 1]),
               sc.BezierCurve([(0, 2), (-2, 2), (-2, 0)], [1, np.sqrt(0.5), 1])]
-    known = closest.samples(halves, 8)
     at = np.array([(-0.05, 3.0, 0.0), (0.05, 3.0, 0.0)])
-    last_of_first, first_of_second = len(known.triangles) // 2 - 1, len(known.triangles) // 2
-    wrong = np.array([last_of_first, first_of_second])
-    found = closest.distances(halves, known, wrong, known.points[known.triangles[wrong]].mean(1), at)
-    assert np.allclose(found, np.linalg.norm(at, axis=1) - 2, atol=1e-14)
+    assert np.allclose(distances(halves, at), np.linalg.norm(at, axis=1) - 2, atol=1e-14)
 
 
 def test_curves_are_as_far_as_their_circle():
     quarter = sc.BezierCurve([(2, 0), (2, 2), (0, 2)], [1, np.sqrt(0.5), 1])
     at = np.abs(points())
-    found = distances([quarter], at, 200)
+    found = distances([quarter], at)
     assert np.abs(found - np.hypot(np.hypot(at[:, 0], at[:, 1]) - 2, at[:, 2])).max() < 1e-14
 
 
@@ -84,9 +66,10 @@ def test_degenerate_pieces_give_numbers():
     assert np.allclose(distances([halt], np.array([(-1, 0, 0), (0.5, 1, 0)])), 1)
 
 
-def test_samples_leave_out_what_lies_at_infinity():
-    known = closest.samples([sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], [1, 0, 0])], 100)
-    assert len(known.triangles) and np.isfinite(known.points[known.triangles]).all()
+def test_where_a_distance_is_no_number_the_others_are_known():
+    line = sc.BezierCurve([(-1, 0), (1, 0)])
+    at = np.array([(0, 1, 0), (1.5e308, 1.5e308, 0), (0, 2, 0), (3, 0, 0)])
+    assert np.array_equal(distances([line], at), [1, np.nan, 2, 2], equal_nan=True)
 
 
 def over_faces(values, positions, triangles):

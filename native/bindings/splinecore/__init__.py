@@ -27,6 +27,7 @@ from ._splinecore import (
     LeastDistance,
     LoftSurface,
     Nearest,
+    NearestAmong,
     NetworkSurface,
     NurbsCurve,
     NurbsPatch,
@@ -47,6 +48,7 @@ from ._splinecore import (
     __version__,
     dumps,
     loads,
+    nearest,
     seam_continuity,
 )
 from . import basis, bpt, build, conics, fit, meshes, plot
@@ -70,6 +72,7 @@ __all__ = [
     "LeastDistance",
     "LoftSurface",
     "Nearest",
+    "NearestAmong",
     "NetworkSurface",
     "NurbsCurve",
     "NurbsPatch",
@@ -94,6 +97,7 @@ __all__ = [
     "fit",
     "loads",
     "meshes",
+    "nearest",
     "plot",
     "seam_continuity",
 ]

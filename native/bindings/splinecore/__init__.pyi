@@ -27,6 +27,7 @@ __all__ = [
     "LeastDistance",
     "LoftSurface",
     "Nearest",
+    "NearestAmong",
     "NetworkSurface",
     "NurbsCurve",
     "NurbsPatch",
@@ -51,6 +52,7 @@ __all__ = [
     "fit",
     "loads",
     "meshes",
+    "nearest",
     "plot",
     "seam_continuity",
 ]
@@ -325,6 +327,25 @@ class Nearest:
         """Distances (...,) from the given points."""
     def __copy__(self) -> Nearest: ...
     def __deepcopy__(self, memo: object, /) -> Nearest: ...
+
+@final
+class NearestAmong:
+    """The nearest points of several shapes to given points (..., 3)."""
+
+    @property
+    def shapes(self) -> NDArray[np.int64]:
+        """Numbers (...,) int64 of the shapes that are nearest, from 0."""
+    @property
+    def parameters(self) -> _Floats:
+        """Parameters (...,) on these curves; (..., 2), u and v, on these patches."""
+    @property
+    def points(self) -> _Floats:
+        """Points (..., 3) of the shapes."""
+    @property
+    def distances(self) -> _Floats:
+        """Distances (...,) from the given points."""
+    def __copy__(self) -> NearestAmong: ...
+    def __deepcopy__(self, memo: object, /) -> NearestAmong: ...
 
 @final
 class Intersections:
@@ -2388,13 +2409,17 @@ class NurbsCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -2420,14 +2445,19 @@ class NurbsCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -4336,13 +4366,17 @@ class BezierCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -4368,14 +4402,19 @@ class BezierCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -6001,13 +6040,17 @@ class HermiteCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -6033,14 +6076,19 @@ class HermiteCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -7763,13 +7811,17 @@ class PowerCurve:
         ----------
         Lecture row S18.
         """
-    def rounded(self, radius: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
 
         Parameters
         ----------
         radius : float
             Radius of the arcs, above 0.
+        shrink : bool, default False
+            Whether an arc that does not fit gets the largest radius that does, instead of an error: it
+            takes at most half of the curve up to the next corner, or all of it up to an end. Where the
+            curve turns back the corner stays.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -7795,14 +7847,19 @@ class PowerCurve:
         >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
         >>> round(corner.rounded(1.0).length() - np.pi / 2, 9)
         6.0
+        >>> round(corner.rounded(9.0, shrink=True).length() / np.pi, 9)
+        2.0
         """
-    def chamfered(self, length: float, *, cancel: _Cancel | None = None) -> NurbsCurve:
+    def chamfered(self, length: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by a line.
 
         Parameters
         ----------
         length : float
             How far the line begins before the corner and ends behind it, measured along the curve.
+        shrink : bool, default False
+            Whether it begins and ends nearer to a corner that has no room, as of `rounded`, instead of an
+            error.
         cancel : callable, optional
             A function without arguments that is called now and then; a true result ends the call.
 
@@ -13632,6 +13689,58 @@ def loads(text: str | bytes) -> _Value | list[_Value]:
     InvalidShape
         If the text is damaged, of another format or of a newer version, or holds an invalid shape;
         the message has the place.
+    """
+def nearest(
+    shapes: Sequence[_Curve] | Sequence[_Patch],
+    points: ArrayLike,
+    *,
+    threads: SupportsIndex = 0,
+    cancel: _Cancel | None = None,
+) -> NearestAmong:
+    """Find the nearest point of several curves, or of several patches, to each of several points.
+
+    The global minimum over all of them. Of several shapes at one distance, up to rounding of the size of
+    them all, the first is taken. It is much faster than `nearest` of each: few of them are searched.
+    Shapes that lie wholly at infinity do not count.
+
+    Parameters
+    ----------
+    shapes : sequence of curves or sequence of patches
+        A list of curves of any kinds, or of patches of any kinds.
+    points : array_like
+        Points (..., 2 or 3).
+    threads : int, default 0
+        How many threads; 0 takes all cores where that is worth it. The result is the same in every
+        bit.
+    cancel : callable, optional
+        A function without arguments that is called now and then; a true result ends the call.
+
+    Returns
+    -------
+    NearestAmong
+        Numbers of the shapes, parameters, points and distances.
+
+    Raises
+    ------
+    InvalidShape
+        If there is no shape, curves and patches are mixed, a point is not finite, or more than 2^18
+        parts may hold the nearest point.
+    PointAtInfinity
+        If all shapes lie at infinity.
+    Cancelled
+        If `cancel` returned true.
+
+    References
+    ----------
+    Johnson and Cohen 1998; lecture rows S15, S20.
+
+    Examples
+    --------
+    >>> left = sc.BezierCurve([(0, 0), (0, 4)])
+    >>> right = sc.BezierCurve([(3, 0), (3, 4)])
+    >>> found = sc.nearest([left, right], [(1, 2), (5, 1)])
+    >>> found.shapes, found.parameters, found.distances
+    (array([0, 1]), array([0.5 , 0.25]), array([1., 2.]))
     """
 def seam_continuity(
     first: _Patch,

@@ -55,6 +55,11 @@ class KnotVector:
     @property
     def domain(self) -> tuple[float, float]:
         """First and last parameter (start, end) between which the functions add up to 1."""
+    @property
+    def greville(self) -> NDArray[np.float64]:
+        """Greville abscissae (count,): for each control point the mean of the `degree` knots that decide it; of
+        periodic knots they may begin before the domain.
+        """
     def span(self, u: ArrayLike, *, side: Literal["left", "right"] = "right") -> NDArray[np.int64]:
         """Find the span of each parameter.
 

@@ -527,12 +527,15 @@ def hyperbola(center: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> list[N
     Lecture row S10.
     """
 def implicit(curve: BezierCurve | NurbsCurve) -> ImplicitConic:
-    """Find the conic on which a rational quadratic curve of one span lies.
+    """Find the conic on which a curve lies.
+
+    By products of control points where the curve has degree 2 and one span. Any other one lies on a conic
+    if, up to rounding, 2 * degree + 1 points of each span do (Bezout).
 
     Parameters
     ----------
     curve : BezierCurve or NurbsCurve
-        A curve of degree 2 and one span.
+        A curve of any kind.
 
     Returns
     -------
@@ -542,7 +545,7 @@ def implicit(curve: BezierCurve | NurbsCurve) -> ImplicitConic:
     Raises
     ------
     InvalidShape
-        If the points lie on one line.
+        If the curve lies on no conic, or on a line.
 
     References
     ----------
@@ -551,8 +554,8 @@ def implicit(curve: BezierCurve | NurbsCurve) -> ImplicitConic:
     Examples
     --------
     >>> arc = sc.BezierCurve([(1, 0), (1, 1), (0, 1)], weights=[1, 0.5**0.5, 1])
-    >>> sc.conics.implicit(arc).type
-    'circle'
+    >>> sc.conics.implicit(arc).type, sc.conics.implicit(sc.conics.ellipse((0, 0, 0), (2, 0, 0), (0, 1, 0))).type
+    ('circle', 'ellipse')
     """
 def parabola(focus: ArrayLike, directrix_point: ArrayLike, directrix_direction: ArrayLike) -> ImplicitConic:
     """Make the conic of the points as far from a focus as from a line.

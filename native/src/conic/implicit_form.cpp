@@ -1,13 +1,19 @@
 #include "splinecore/conic/implicit_form.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/ellipse.hpp"
+#include "splinecore/conic/make_conic.hpp"
+#include "splinecore/convert/to_bezier.hpp"
+#include "splinecore/curve/evaluate.hpp"
 
 namespace splinecore {
 
@@ -39,6 +45,55 @@ NurbsCurve whole_parabola(const glm::dvec3& vertex, const glm::dvec3& axis, cons
                           {{axis, 0.0}, {-side, 0.0}, {vertex, 1.0}, {side, 0.0}, {axis, 0.0}});
 }
 
+/// As many points inside each span as decide whether all of it lies on a conic; those that are finite.
+std::vector<glm::dvec3> inner_points(const NurbsCurve& curve) {
+  const int count = std::max(2 * curve.degree() + 1, 7);
+  const KnotVector& knots = curve.knot_vector();
+  std::vector<double> parameters;
+  for (int span = 0; span < static_cast<int>(knots.spans().size()); ++span) {
+    const Interval own = knots.span_interval(span);
+    for (int i = 0; i < count; ++i) parameters.push_back(own.start + (i + 0.5) / count * own.length());
+  }
+  std::vector<glm::dvec3> points(parameters.size());
+  evaluate(curve, parameters, std::span(&points[0].x, 3 * points.size()), {.at_infinity = AtInfinity::nan});
+  std::erase_if(points, [](const glm::dvec3& p) { return !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z); });
+  if (points.size() < static_cast<std::size_t>(count)) throw InvalidShape("the curve lies at infinity");
+  return points;
+}
+
+/// How far a point is from lying on a conic: off its plane, the value of the equation, and the size of its terms.
+struct OffConic {
+  double off_plane;
+  double value;
+  double terms;
+};
+
+OffConic off_conic(const ImplicitConic& conic, const glm::dvec3& point) {
+  const glm::dvec2 p = point_in(conic.plane(), point);
+  OffConic off{glm::distance(conic.plane().point(p), point), 0.0, 0.0};
+  const auto& k = conic.coefficients();
+  for (const double term : {k[0] * p.x * p.x, k[1] * p.x * p.y, k[2] * p.y * p.y, k[3] * p.x, k[4] * p.y, k[5]}) {
+    off.value += term;
+    off.terms += std::abs(term);
+  }
+  return off;
+}
+
+bool all_lie_on(const ImplicitConic& conic, std::span<const glm::dvec3> points) {
+  constexpr double kSame = 1e-10;
+  constexpr double kRounding = 64.0 * kEpsilon;
+  double reach = 0.0;
+  double most = 0.0;
+  for (const glm::dvec3& p : points) {
+    reach = std::max(reach, glm::distance(conic.plane().origin, p));
+    most = std::max(most, off_conic(conic, p).terms);
+  }
+  return std::ranges::all_of(points, [&](const glm::dvec3& p) {
+    const OffConic off = off_conic(conic, p);
+    return off.off_plane <= kSame * reach && std::abs(off.value) <= kSame * off.terms + kRounding * most;
+  });
+}
+
 }  // namespace
 
 ImplicitConic implicit_conic(const BezierCurve& curve) {
@@ -64,6 +119,16 @@ ImplicitConic implicit_conic(const BezierCurve& curve) {
   std::array<double, 6> k{half(0, 0), 2 * half(0, 1), half(1, 1), 2 * half(0, 2), 2 * half(1, 2), half(2, 2)};
   normalize(k);
   return ImplicitConic::make(k, *plane);
+}
+
+ImplicitConic implicit_conic(const NurbsCurve& curve) {
+  if (curve.degree() == 2 && curve.knot_vector().spans().size() == 1) return implicit_conic(to_bezier(curve).front());
+  const std::vector<glm::dvec3> points = inner_points(curve);
+  std::array<glm::dvec3, 5> chosen;
+  for (std::size_t i = 0; i < 5; ++i) chosen[i] = points[(i * (points.size() - 1) + 2) / 4];
+  const ImplicitConic conic = conic_through(chosen);
+  if (!all_lie_on(conic, points)) throw InvalidShape("the curve lies on no conic");
+  return conic;
 }
 
 std::vector<NurbsCurve> curves_of(const ImplicitConic& conic) {

@@ -123,13 +123,13 @@ NearestSearch<kAxes>::NearestSearch(const BoxedPieces& pieces)
 }
 
 template <int kAxes>
-NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point, double within) {
   point_ = point;
   best_ = {};
   looks_ = 0;
   rounding_ = kRounding;
-  least_ = below_ = above_ = kInfinity;
+  const double most = within + rounding_ * (1.0 + within);
+  least_ = below_ = above_ = most * most;
   waiting_count_ = 0;
   push_boxes(pieces_.tree().levels() - 1, 0);
   while (waiting_count_ > 0) {
@@ -240,7 +240,7 @@ void NearestSearch<kAxes>::look_into(const PiecePart& part, const glm::dvec4* ne
     is_narrow = is_narrow && width <= apart_[a];
   }
   form_.set(net, point_);
-  if (best_.found()) {
+  if (above_ < std::numeric_limits<double>::infinity()) {
     // An earlier place of a part as narrow as that is the same one.
     const double limit = looks_ < kMany && !is_narrow && may_hold(below_, part, range) ? above_ : below_;
     if (limit == 0.0 || form_.is_farther(limit)) return;

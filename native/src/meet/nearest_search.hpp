@@ -36,7 +36,8 @@ class NearestSearch {
   explicit NearestSearch(const BoxedPieces& pieces);
 
   /// Of places at one distance, up to rounding, the one with the smallest parameters.
-  NearestPlace nearest(const glm::dvec3& point);
+  /// @param within  what is farther, but for rounding, is not looked for
+  NearestPlace nearest(const glm::dvec3& point, double within = std::numeric_limits<double>::infinity());
 
  private:
   using Net = BernsteinNet<glm::dvec4>;

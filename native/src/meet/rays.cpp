@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 
 #include "base/parallel.hpp"
 #include "base/sort_by.hpp"
 #include "ray_search.hpp"
+#include "shape_box.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -14,25 +14,6 @@ namespace splinecore {
 namespace {
 
 constexpr std::size_t kStepsOfRay = 4096;
-
-/// The box of a patch in the space of its set.
-TreeBox box_in(const NearSpace& space, const BoxedPieces& pieces) {
-  constexpr double kEverywhere = 0x1p400;
-  constexpr double kOut = 0x1p500;
-  const BoxTree& tree = pieces.tree();
-  const BoxTree::Group& root = tree.group(tree.levels() - 1, 0);
-  std::vector<TreeBox> boxes;
-  for (std::size_t i = 0; i < tree.count(tree.levels() - 1); ++i) {
-    const glm::dvec3 middle(root.middle[0][i], root.middle[1][i], root.middle[2][i]);
-    const glm::dvec3 half(root.half[0][i], root.half[1][i], root.half[2][i]);
-    if (std::max({half.x, half.y, half.z}) > kEverywhere) return {glm::dvec3(-kOut), glm::dvec3(kOut)};
-    const auto corner = [&](double side) { return space.enter(pieces.space().leave(middle + side * half), kOut).at; };
-    boxes.push_back({corner(-1.0), corner(1.0)});
-  }
-  const glm::dvec3 slack(16.0 * (space.rounding() + 0x1p-50));
-  const TreeBox all = around(boxes);
-  return {all.low - slack, all.high + slack};
-}
 
 /// The patches of a set, and a tree of their boxes.
 class RayTargets {

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from ...core.analysis import closest
+from ...core.analysis import deviations
 from ...core.base.failures import Refusal
 from ...core.shape import transform
 from ...core.verbs import verbs
@@ -17,10 +17,8 @@ from ..shape import shape
 
 #: Objects that are kept.
 _KEPT = 4
-#: Of an exact shape so many triangles lead to where Newton's method begins.
-_SAMPLES = 8000
-#: Of more pieces the method takes too long for a drag: each costs about half a millisecond.
-_MOST_PIECES = 100
+#: Of more pieces the boxes that lead to the nearest one take too long to make in a drag.
+_MOST_PIECES = 1000
 #: A matrix that differs by so small a part of it from one that keeps angles keeps them.
 _ANGLES = 1e-5
 #: Points are no farther from the middle than so many sizes: their squares are float32.
@@ -34,27 +32,23 @@ class Geometry:
     """Of an object as it is now. Lengths in its tree are in units of a size and from a middle, where float32 is best."""
 
     words: str                          # what is measured to, in the legend
-    tree: BVHTree
     middle: np.ndarray
     size: float
-    pieces: list                        # exact ones, or none
-    samples: closest.Samples            # of these
+    tree: BVHTree | None = None
+    pieces: tuple = ()                  # exact ones, where there is no tree
 
-    def distances(self, points, rounds):
-        """(n,): how far points (n, 3) are; nan of those that are not finite. rounds: of core.analysis.closest."""
+    def distances(self, points):
+        """(n,): how far points (n, 3) are; nan of those that are not finite."""
         found = np.full(len(points), np.nan)
         with np.errstate(over='ignore', invalid='ignore'):
             near = (points - self.middle) / self.size
         here = np.flatnonzero((np.abs(near) < _FARTHEST).all(1))
+        if self.pieces:
+            found[here] = deviations.distances_to(self.pieces, points[here])
+            return found
         nearest = self.tree.find_nearest
-        if not self.pieces:
-            found[here] = [nearest(point)[3] for point in near[here].tolist()]
-            return found * self.size
-        hits = [nearest(point) for point in near[here].tolist()]
-        feet = np.array([foot for foot, _, _, _ in hits]).reshape(-1, 3) * self.size + self.middle
-        numbers = np.array([number for _, _, number, _ in hits], int)
-        found[here] = closest.distances(self.pieces, self.samples, numbers, feet, points[here], rounds)
-        return found
+        found[here] = [nearest(point)[3] for point in near[here].tolist()]
+        return found * self.size
 
 
 @dataclass(eq=False)
@@ -131,10 +125,9 @@ def _exact(ob, bend):
     if bend is not None:
         definition = transform.transformed(definition, np.block([[bend, np.zeros((3, 1))], [np.zeros(3), 1.0]]))
     pieces = verbs.pieces_of(definition)
-    if len(pieces) > _MOST_PIECES:
+    if not 0 < len(pieces) <= _MOST_PIECES:
         return None
-    samples = closest.samples(pieces, _SAMPLES)
-    return _with_tree("exact", samples.points, samples.triangles, pieces, samples) if len(samples.triangles) else None
+    return Geometry("exact", *deviations.extent(np.concatenate([piece.bounding_box() for piece in pieces])), pieces=tuple(pieces))
 
 
 def _shown(ob, bend):
@@ -172,10 +165,10 @@ def _numbers(items, count):
     return found.reshape(-1, count)
 
 
-def _with_tree(words, points, triangles, pieces=(), samples=None):
+def _with_tree(words, points, triangles):
     used = np.isfinite(points).all(1)
     triangles = triangles[used[triangles].all(1)]
-    middle, size = closest.extent(points)
+    middle, size = deviations.extent(points)
     at = np.where(used[:, None], (points - middle) / size, 0.0)
     tree = BVHTree.FromPolygons(at.tolist(), triangles.tolist(), all_triangles=True)
-    return Geometry(words, tree, middle, size, pieces, samples)
+    return Geometry(words, middle, size, tree)

@@ -4,7 +4,7 @@ quick, and at all that are wanted when nothing has changed for a while, a part o
 import bpy
 import numpy as np
 
-from ...core.analysis import closest, deviations, faces
+from ...core.analysis import deviations, faces
 from ...core.analysis.measuring import Measuring
 from ...core.base.failures import FAILURES, Refusal
 from ...core.shape import definition as definitions
@@ -74,11 +74,11 @@ def lines_of(data):
     return overlays.curves_of(data)
 
 
-def _measuring(data, other, *matrix, most=_IN_THE_END, rounds=closest.ALL):
+def _measuring(data, other, *matrix, most=_IN_THE_END):
     frame = other.frame(np.reshape(matrix, (4, 4)))
 
     def distances(points):
-        return other.geometry.distances(points @ frame[:, :3].T + frame[:, 3], rounds) * other.unit
+        return other.geometry.distances(points @ frame[:, :3].T + frame[:, 3]) * other.unit
     if isinstance(data, bpy.types.Curve):
         return Measuring(deviations.along_lines(_lines_known(data), most), distances)
     _, places, patch_set = _faces_known(data)
@@ -94,7 +94,7 @@ def _has_ended(measuring):
 
 
 def _at_once(data, other, *matrix):
-    measuring = _measuring(data, other, *matrix, most=_AT_ONCE, rounds=closest.FEW)
+    measuring = _measuring(data, other, *matrix, most=_AT_ONCE)
     return _summed(data, other, matrix, measuring) if measuring.go_on(_QUICK) else None
 
 

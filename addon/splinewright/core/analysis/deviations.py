@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..base.library import sc
 from ..shape import parameters
 from ..verbs.patch_verbs import Along
-from . import closest
 from .measuring import Plan
 
 #: Points that are measured of a patch, at least.
@@ -21,6 +21,27 @@ class Deviation:
     largest: float
     mean: float
     extent: float = 0.0                 # the area or the length of all that has distances
+
+
+def distances_to(pieces, points):
+    """(n,): how far points (n, 3) lie from the nearest of curves, or of patches; nan where that cannot be told."""
+    try:
+        return sc.nearest(pieces, points).distances
+    except sc.InvalidShape:
+        if len(points) == 1:
+            return np.full(1, np.nan)
+        middle = len(points) // 2
+        return np.concatenate([distances_to(pieces, points[:middle]), distances_to(pieces, points[middle:])])
+
+
+def extent(points):
+    """(the middle of points (n, 3), how far the farthest coordinate is from it): of those that are finite."""
+    finite = points[np.isfinite(points).all(1)]
+    if not len(finite):
+        return np.zeros(3), 1.0
+    low, high = finite.min(0), finite.max(0)
+    middle = low + (high - low) / 2
+    return middle, float(np.abs(finite - middle).max()) or 1.0
 
 
 def at_places(patch_set, places, most):
@@ -60,7 +81,7 @@ def along_lines(pairs, most):
 
 def areas(positions, triangles):
     """(of triangles (t, 3) between positions (n, 3) the areas, their unit)."""
-    middle, size = closest.extent(positions)
+    middle, size = extent(positions)
     x, y, z = ((positions - middle) / size).T[:, triangles]
     (ax, ay, az), (bx, by, bz) = ([each[:, i] - each[:, 0] for each in (x, y, z)] for i in (1, 2))
     return np.sqrt((ay * bz - az * by) ** 2 + (az * bx - ax * bz) ** 2 + (ax * by - ay * bx) ** 2) / 2, size * size
@@ -84,7 +105,7 @@ def over_lines(values, pairs):
     """The Deviation of values (n, 2) at the ends of lines (n, 2, 3)."""
     if not len(pairs):
         return Deviation(values, np.nan, np.nan)
-    middle, size = closest.extent(pairs.reshape(-1, 3))
+    middle, size = extent(pairs.reshape(-1, 3))
     return _summed(values, values, np.linalg.norm((pairs[:, 1] - pairs[:, 0]) / size, axis=1), size)
 
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from ..base.failures import Refusal
 from ..base.library import sc
 from . import teaching
 
@@ -11,7 +10,7 @@ MOST_SPANS = 16
 MOST_DEGREE = 30
 #: Parts of the size that come of rounding.
 _ROUNDING = 1e-12
-#: What a point may be off a conic, of the size of the terms.
+#: Parts of the largest number that come of rounding, too.
 _SAME = 1e-10
 
 
@@ -28,8 +27,8 @@ def text(curve, position):
 def conic_lines(curve):
     """Pairs of a label and a text for a curve that lies on one conic, in whatever form; [] for any other."""
     try:
-        conic = conic_of(curve)
-    except (Refusal, sc.Error):
+        conic = sc.conics.implicit(curve)
+    except sc.Error:
         return []
     return _lines_of(curve, conic)
 
@@ -49,33 +48,6 @@ def _finite(points):
 
 def _is_one_arc(curve):
     return curve.degree == 2 and len(curve.points) == 3
-
-
-def conic_of(curve):
-    """The ImplicitConic that a NurbsCurve lies on. Raises Refusal or an error of the library if it lies on none."""
-    if _is_one_arc(curve):
-        return sc.conics.implicit(curve)
-    points = _finite_points(curve)
-    conic = sc.conics.through_points(points[np.linspace(0, len(points) - 1, 5).round().astype(int)])
-    size = np.abs(points - conic.origin).max()
-    x, y = ((points - conic.origin) @ axis for axis in (conic.x_axis, conic.y_axis))
-    off_plane = points - conic.origin - np.outer(x, conic.x_axis) - np.outer(y, conic.y_axis)
-    terms = conic.coefficients * np.column_stack([x * x, x * y, y * y, x, y, np.ones_like(x)])
-    if np.abs(off_plane).max() > _SAME * size or (abs(terms.sum(1)) > _SAME * abs(terms).sum(1)).any():
-        raise Refusal("it lies on no conic")
-    return conic
-
-
-def _finite_points(curve):
-    """Points of every span. Raises Refusal where they are too few."""
-    start, end = curve.domain
-    knots = np.unique(np.clip(curve.knots, start, end))
-    inside = (np.arange(7) + 0.5) / 7
-    points = curve.evaluate((knots[:-1, None] + np.diff(knots)[:, None] * inside).ravel(), at_infinity='nan')
-    points = points[np.isfinite(points).all(1)]
-    if len(points) < 7:
-        raise Refusal("it has no finite points")
-    return points
 
 
 def equation(conic):
@@ -113,8 +85,8 @@ def _power(curve):
 def _conic(curve):
     """Lecture row S10."""
     try:
-        conic = conic_of(curve)
-    except (Refusal, sc.Error):
+        conic = sc.conics.implicit(curve)
+    except sc.Error:
         return []
     lines = [f"  {label}: {value}" for label, value in _lines_of(curve, conic)]
     plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")

@@ -14,14 +14,11 @@ PART = 20_000
 def feet(pieces, points, told=lambda done: None, cancel=None):
     """((n, 3) nearest points on any of the curves or patches, (n,) distances). told: called with how many are done; cancel: as
     the library takes it."""
-    found, distances = np.empty_like(points), np.full(len(points), np.inf)
+    pieces, found, distances = list(pieces), np.empty_like(points), np.empty(len(points))
     for first in range(0, len(points), PART):
         part = slice(first, first + PART)
-        for piece in pieces:
-            nearest = piece.nearest(points[part], cancel=cancel)
-            is_nearer = nearest.distances < distances[part]
-            found[part][is_nearer] = nearest.points[is_nearer]
-            distances[part][is_nearer] = nearest.distances[is_nearer]
+        nearest = sc.nearest(pieces, points[part], cancel=cancel)
+        found[part], distances[part] = nearest.points, nearest.distances
         told(min(first + PART, len(points)))
     return found, distances
 

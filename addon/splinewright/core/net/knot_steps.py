@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..base.library import sc
 from ..shape import parameters
 
 
@@ -28,12 +29,8 @@ def earlier(curve):
 
 def averages(curve):
     """Of each control point the average of its knots; of periodic curves once around, and the first again."""
-    knots, degree = curve.knots, curve.degree
-    if not curve.periodic:
-        return np.array([knots[i + 1:i + degree + 1].mean() for i in range(len(knots) - degree - 1)])
-    count, period = len(knots) - 1, knots[-1] - knots[0]
-    at = np.arange(count + 1)[:, None] + np.arange(1 - degree, 1)
-    return (knots[at % count] + period * (at // count)).mean(1)
+    means = sc.basis.KnotVector(curve.degree, curve.knots, curve.periodic).greville
+    return np.append(means, means[0] + curve.knots[-1] - curve.knots[0]) if curve.periodic else means
 
 
 def inserted(curve, steps):

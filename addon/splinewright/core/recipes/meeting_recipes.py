@@ -1,7 +1,5 @@
 """Curves beside curves and where surfaces meet, live (lecture row S18)."""
 
-import math
-
 import numpy as np
 
 from ..base.failures import Refusal
@@ -138,51 +136,16 @@ def _contour(points, corners, corner_size, closed, arcs):
         raise Refusal("a contour needs two points")
     if closed and len(points) < 3:
         raise Refusal("a closed contour needs 3 points or more")
-    if arcs.strip():
-        return Result(_with_arcs(points, corners, corner_size, closed, arcs))
-    shape = sc.build.contour(points, closed=closed)
-    return Result(shape if corners == 'sharp' else _without_corners(points, corners, corner_size, closed))
+    whole = _sides(points, closed, arcs)
+    if corners == 'sharp':
+        return Result(whole)
+    return Result(whole.rounded(corner_size, shrink=True) if corners == 'round' else whole.chamfered(corner_size, shrink=True))
 
 
-def _with_arcs(points, corners, size, closed, arcs):
-    whole = contours.curve_of(contours.through(points, numbers_of(arcs, "a side"), closed))
-    return whole if corners == 'sharp' else whole.rounded(size) if corners == 'round' else whole.chamfered(size)
-
-
-#: Where a contour turns by less, or by all but so little of half a turn, it has no corner to replace.
-_LEAST_TURN = 1e-4
-
-
-def _without_corners(points, corners, size, closed):
-    """The contour with what fits in place of its corners: from each side they take half of it at most, or all up to an end."""
-    ways = np.diff(points, axis=0, append=points[:1])
-    lengths = np.linalg.norm(ways, axis=1)
-    ways = ways / lengths[:, None]
-    count = len(points)
-    before, behind, bridges = points.copy(), points.copy(), [None] * count
-    for i in range(count) if closed else range(1, count - 1):
-        turn = math.atan2(np.linalg.norm(np.cross(ways[i - 1], ways[i])), ways[i - 1] @ ways[i])
-        if not _LEAST_TURN < turn < math.pi - _LEAST_TURN:
-            continue
-        room = min(lengths[i - 1] * (1.0 if not closed and i == 1 else 0.5),
-                   lengths[i] * (1.0 if not closed and i == count - 2 else 0.5))
-        taken = min(size * math.tan(turn / 2) if corners == 'round' else size, room)
-        before[i], behind[i] = points[i] - taken * ways[i - 1], points[i] + taken * ways[i]
-        bridges[i] = (sc.conics.arc_from_tangent(before[i], ways[i - 1], behind[i]) if corners == 'round'
-                      else _segment(before[i], behind[i]))
-    sides = range(count) if closed else range(count - 1)
-    pieces = [piece for i in sides for piece in (bridges[i], _side(behind[i], before[(i + 1) % count], lengths[i]))
-              if piece is not None]
-    return sc.build.join_curves(pieces, 1e-9 * lengths.max())[0]
-
-
-def _segment(start, end):
-    return sc.BezierCurve([start, end])
-
-
-def _side(start, end, length):
-    """What corners leave of a side, or None."""
-    return _segment(start, end) if np.linalg.norm(end - start) > 1e-9 * length else None
+def _sides(points, closed, arcs):
+    if not arcs.strip():
+        return sc.build.contour(points, closed=closed)
+    return contours.curve_of(contours.through(points, numbers_of(arcs, "a side"), closed))
 
 
 STARTING = (

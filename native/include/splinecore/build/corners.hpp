@@ -13,10 +13,12 @@ namespace splinecore {
 /// S18.
 /// @throws InvalidShape naming the corner's place if no arc of that radius fits between its neighbors, or the curve
 ///         turns back or is not plane there; unless the radius is above 0.
-NurbsCurve rounded(const NurbsCurve& curve, double radius);
+/// @param shrinks  whether an arc that does not fit has the largest radius that does: of a run between two corners each
+///         takes no more than half, of one up to an end all. Where the curve turns back its corner stays.
+NurbsCurve rounded(const NurbsCurve& curve, double radius, bool shrinks = false);
 
 /// The same with a line between the places at a length before and behind each corner.
-NurbsCurve chamfered(const NurbsCurve& curve, double length);
+NurbsCurve chamfered(const NurbsCurve& curve, double length, bool shrinks = false);
 
 /// Two curves up to what joins them; one of which nothing is left is none.
 struct CornerBetween {

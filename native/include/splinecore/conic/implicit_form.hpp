@@ -16,6 +16,11 @@ namespace splinecore {
 /// @throws InvalidShape unless the degree is 2, or if the points lie on one line.
 ImplicitConic implicit_conic(const BezierCurve& curve);
 
+/// The conic on which a curve of any degree lies, if there is one: through five of its points, where as many points of each
+/// span as decide it (Bezout: two for each degree, and one) lie on it, too, up to rounding.
+/// @throws InvalidShape if the curve lies on no conic, or on a line.
+ImplicitConic implicit_conic(const NurbsCurve& curve);
+
 /// The real points of a conic as curves that cover them, each once.
 ///
 /// An ellipse is one closed curve of four spans. A parabola is one curve of two spans, each branch of
