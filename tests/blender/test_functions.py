@@ -27,9 +27,9 @@ def added(**settings):
 def test_each_function_has_its_name_material_and_color():
     ob = added(degree=0, knot_values="0 1 2 3 4 5")
     names = [f"N_{{{i},0}}" for i in range(5)] + [functions.AXIS] * 2 + [f"{functions.TICK} {number}" for number in (0, 1, 2, 3, 4, 5, 0, 1)]
-    assert names_of(ob) == names and slots_of(ob) == [2, 3, 4, 5, 6] + [0] * 10
+    assert names_of(ob) == names and slots_of(ob) == [3, 4, 5, 6, 7] + [0] * 10
     colors = [material.diffuse_color[:3] for material in ob.data.materials]
-    assert len(colors) == 7 and len({tuple(color) for color in colors}) == 7
+    assert len(colors) == 8 and len({tuple(color) for color in colors}) == 8
     assert ob.data.bevel_depth > 0
     require_exact(ob)
 
@@ -47,21 +47,21 @@ def test_every_family_is_made_as_it_is_said(family, show):
 def test_they_follow_other_numbers_and_materials_of_the_user_stay():
     ob = added(degree=1, knot_values="0 1 2 3", axes=False)
     mine = bpy.data.materials.new("mine")
-    ob.data.materials[2] = mine
+    ob.data.materials[3] = mine
     ob.data.splinewright_parameters.functions_knot_values = "0 1 2 3 4 5"
     bpy.context.view_layer.update()
-    assert len(names_of(ob)) == 4 and slots_of(ob) == [2, 3, 4, 5] and ob.data.materials[2] == mine
+    assert len(names_of(ob)) == 4 and slots_of(ob) == [3, 4, 5, 6] and ob.data.materials[3] == mine
     ob.data.splinewright_parameters.functions_degree = 2
     bpy.context.view_layer.update()
-    assert names_of(ob) == [f"N_{{{i},2}}" for i in range(3)] and slots_of(ob) == [2, 3, 4]
+    assert names_of(ob) == [f"N_{{{i},2}}" for i in range(3)] and slots_of(ob) == [3, 4, 5]
 
 
 def test_what_a_user_gave_a_spline_stays_while_its_name_does():
     ob = added(degree=1, knot_values="0 1 2 3", axes=False)
-    ob.data.splines[0].material_index = 3
+    ob.data.splines[0].material_index = 4
     ob.data.splinewright_parameters.functions_height = 2.0
     bpy.context.view_layer.update()
-    assert slots_of(ob) == [3, 3]
+    assert slots_of(ob) == [4, 4]
 
 
 def test_those_of_a_curve_follow_its_knots():
@@ -72,7 +72,7 @@ def test_those_of_a_curve_follow_its_knots():
     assert names_of(ob)[:4] == [f"N_{{{i},2}}" for i in range(4)]
     source.data.splinewright.value = source.data.splinewright.value.insert_knot(0.5)
     bpy.context.view_layer.update()
-    assert names_of(ob)[:5] == [f"N_{{{i},2}}" for i in range(5)] and slots_of(ob)[:5] == [2, 3, 4, 5, 6]
+    assert names_of(ob)[:5] == [f"N_{{{i},2}}" for i in range(5)] and slots_of(ob)[:5] == [3, 4, 5, 6, 7]
     require_exact(ob)
 
 
@@ -164,5 +164,34 @@ def test_labels_have_the_colors_of_materials():
     ob = added(degree=1, knot_values="0 1 2 3")
     found = piece_materials.colors_of(ob.data)
     assert found["N_{0,1}"] == pytest.approx((0.0, 0.45, 0.70, 1.0), abs=1e-6) and found["axis"] == pytest.approx((0.55, 0.55, 0.55, 1.0), abs=1e-6)
-    ob.data.materials[2].diffuse_color = (1.0, 0.0, 0.0, 1.0)
+    ob.data.materials[3].diffuse_color = (1.0, 0.0, 0.0, 1.0)
     assert piece_materials.colors_of(ob.data)["N_{0,1}"] == pytest.approx((1.0, 0.0, 0.0, 1.0))
+
+
+def axes_of(**settings):
+    assert bpy.ops.splinewright.add_axes('EXEC_DEFAULT', True, **settings) == {'FINISHED'}
+    return bpy.context.object
+
+
+def test_axes_have_ticks_at_multiples_of_the_step():
+    ob = axes_of(x_from=-0.5, x_to=2.0, y_from=0.0, y_to=1.0, step=0.5, tick=0.1, spatial=False, grid=False)
+    assert names_of(ob) == ["axis", "tick -0.5", "tick 0", "tick 0.5", "tick 1", "tick 1.5", "tick 2", "axis", "tick 0", "tick 0.5", "tick 1"]
+    value = ob.data.splinewright.value
+    assert value[0].points.tolist() == [[-0.5, 0, 0], [2, 0, 0]] and value[7].points.tolist() == [[0, 0, 0], [0, 1, 0]]
+    assert value[4].points.tolist() == [[1, -0.1, 0], [1, 0, 0]] and value[9].points.tolist() == [[-0.1, 0.5, 0], [0, 0.5, 0]]
+    assert set(slots_of(ob)) == {0}
+    require_exact(ob)
+
+
+def test_axes_in_space_and_a_grid():
+    ob = axes_of(x_from=1.0, x_to=3.0, y_from=-2.0, y_to=-1.0, z_from=0.0, z_to=1.0, step=1.0, spatial=True, grid=True)
+    names = names_of(ob)
+    assert names.count("grid") == 5 and names.count("axis") == 3 and slots_of(ob)[:5] == [2] * 5
+    starts = {tuple(curve.points[0]) for name, curve in zip(names, ob.data.splinewright.value) if name == "axis"}
+    assert starts == {(1.0, -1.0, 0.0), (1.0, -2.0, 0.0), (1.0, -1.0, 0.0)}, "through the place that is nearest to the origin"
+
+
+@pytest.mark.parametrize('settings, said', (({'x_from': 2.0, 'x_to': 1.0}, "x ends at 1"), ({'step': 1e-3}, "200 are the most")))
+def test_axes_that_cannot_be_are_refused(settings, said):
+    with pytest.raises(RuntimeError, match=said):
+        axes_of(**settings)

@@ -164,7 +164,7 @@ CONICS = Menu('conics', "Conic", (
     *_from_numbers('MESH_CIRCLE', 'ellipse', 'parabola', 'hyperbola'), *_from_numbers('SPHERECURVE', 'arc_by_points'), None,
     *_from_numbers('CURVE_DATA', 'conic', 'foci', 'five_points', 'equation')), 'MESH_CIRCLE')
 FORMULAS = Menu('mathematical', "Mathematical", (
-    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula'), *_from_numbers('GRAPH', 'functions')), 'FILE_TEXT')
+    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula'), *_from_numbers('GRAPH', 'functions'), *_from_numbers('EMPTY_AXIS', 'axes')), 'FILE_TEXT')
 ADD_CURVE = Menu('curve_add', "NURBS", (
     Entry('add_line', ANY, 'IPO_LINEAR'), Entry('add_bezier_curve', ANY, 'CURVE_BEZCURVE'),
     Entry('add_bezier_chain', ANY, 'CURVE_PATH'), Entry('add_hermite_curve', ANY, 'CURVE_DATA'),

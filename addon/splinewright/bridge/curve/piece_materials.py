@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core.formulas import functions
+from ...core.formulas import axes, functions
 from ..data import store
 
 #: The names by which splines were given their slots last, on the Curve.
@@ -10,9 +10,11 @@ KEY = "splinewright_names"
 #: sRGB of functions one after the other, told apart by people who see few colors (Okabe and Ito 2008); then of axes and sums.
 _COLORS = ((0.0, 0.45, 0.70), (0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.80, 0.47, 0.65), (0.90, 0.62, 0.0), (0.34, 0.71, 0.91),
               (0.62, 0.12, 0.18), (0.45, 0.45, 0.1))
-_AXES, _SUM = (0.55, 0.55, 0.55), (0.9, 0.9, 0.9)
+_AXES, _SUM, _GRID = (0.55, 0.55, 0.55), (0.9, 0.9, 0.9), (0.3, 0.3, 0.3)
 #: Slots before those of functions.
-_FIRST = ("Splinewright Axes", _AXES), ("Splinewright Sum", _SUM)
+_FIRST = ("Splinewright Axes", _AXES), ("Splinewright Sum", _SUM), ("Splinewright Grid", _GRID)
+#: The slots of what is no function.
+_OTHERS = {functions.AXIS: 0, functions.TICK: 0, functions.SUM: 1, axes.GRID: 2}
 
 
 def show(data, names):
@@ -29,13 +31,14 @@ def show(data, names):
 
 
 def slots_of(names):
-    """The slot of each name: of axes and ticks, of sums, of others in their order."""
-    known = list(dict.fromkeys(name for name in names if not _is_of_axes(name) and name != functions.SUM))
-    return [0 if _is_of_axes(name) else 1 if name == functions.SUM else len(_FIRST) + known.index(name) for name in names]
+    """The slot of each name: of axes and ticks, of sums, of grids, of others in their order."""
+    known = list(dict.fromkeys(name for name in names if _kind(name) not in _OTHERS))
+    return [_OTHERS[_kind(name)] if _kind(name) in _OTHERS else len(_FIRST) + known.index(name) for name in names]
 
 
-def _is_of_axes(name):
-    return name.partition(" ")[0] in (functions.AXIS, functions.TICK)
+def _kind(name):
+    """Names of ticks end in their number."""
+    return name.partition(" ")[0]
 
 
 def colors_of(data):

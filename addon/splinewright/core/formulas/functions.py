@@ -96,7 +96,7 @@ def _steps(knots):
     """Graphs of degree 0: a segment on each span that is not empty."""
     def graph(coefficients):
         spans = [(knots[i], knots[i + 1], value) for i, value in enumerate(coefficients) if knots[i] < knots[i + 1]]
-        return [_line((first, value), (last, value), (first, last)) for first, last, value in spans]
+        return [line((first, value), (last, value), (first, last)) for first, last, value in spans]
     return graph
 
 
@@ -123,7 +123,7 @@ def bernstein(degree):
 
     def graph(coefficients):
         if degree == 0:
-            return [_line((0.0, coefficients[0]), (1.0, coefficients[0]))]
+            return [line((0.0, coefficients[0]), (1.0, coefficients[0]))]
         return [sc.BezierCurve(_points(at, coefficients)).to_nurbs()]
     return Family(tuple(f"B_{{{i},{degree}}}" for i in range(degree + 1)), np.array([0.0, 1.0]), graph, lambda i: [(0.0, 1.0)])
 
@@ -229,9 +229,9 @@ def _axes(places, scale, height):
     their number."""
     at = (places - places[0]) * scale
     tick = 0.03 * max(at[-1], height)
-    ticks = [(u, _line((x, -tick), (x, 0.0))) for u, x in zip(places, at)]
-    ticks += [(value, _line((-tick, value * height), (0.0, value * height))) for value in (0.0, 1.0)]
-    axes = [_line((0.0, 0.0), (at[-1], 0.0)), _line((0.0, 0.0), (0.0, height))]
+    ticks = [(u, line((x, -tick), (x, 0.0))) for u, x in zip(places, at)]
+    ticks += [(value, line((-tick, value * height), (0.0, value * height))) for value in (0.0, 1.0)]
+    axes = [line((0.0, 0.0), (at[-1], 0.0)), line((0.0, 0.0), (0.0, height))]
     return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number:.6g}", one) for number, one in ticks]
 
 
@@ -246,5 +246,6 @@ def _points(x, y):
     return np.column_stack([x, y, np.zeros(len(x))])
 
 
-def _line(start, end, domain=(0.0, 1.0)):
-    return sc.NurbsCurve(1, np.repeat(domain, 2), [(*start, 0.0), (*end, 0.0)])
+def line(start, end, domain=(0.0, 1.0)):
+    """A segment between points of two or three coordinates, over a domain."""
+    return sc.NurbsCurve(1, np.repeat(domain, 2), [start, end])

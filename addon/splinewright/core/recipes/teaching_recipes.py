@@ -1,7 +1,7 @@
 """Pictures of lectures: graphs of basis functions, and how a point of a curve is found."""
 
 from ..base.failures import Refusal
-from ..formulas import functions, teaching
+from ..formulas import axes, functions, teaching
 from ..shape import definition as definitions
 from . import wanted
 from .recipe import Parameter, Recipe, Result
@@ -68,6 +68,25 @@ def _construction(inputs, piece, position, scheme, marker, first_level, last_lev
     return _of_parts(teaching.construction(teaching.curve_of(inputs[0], piece).to_nurbs(), position, scheme, marker, first_level, last_level))
 
 
+def _axes(points, spatial, grid, tick, step, **limits):
+    names = "xyz" if spatial else "xy"
+    ranges = [(limits[f"{name}_from"], limits[f"{name}_to"]) for name in names]
+    return _of_parts(axes.picture(ranges, [step] * len(names), tick, grid))
+
+
+def _limit(name, is_start):
+    return Parameter(f"{name}_{'from' if is_start else 'to'}", f"{name.upper()} {'From' if is_start else 'To'}",
+                     f"Where the axis of {name} {'begins' if is_start else 'ends'}", -1.0 if is_start else 3.0, unit='LENGTH',
+                     where=("spatial", (True,)) if name == "z" else ())
+
+
+AXES = Recipe(
+    "axes", "Axes", "Axes with a tick at every step, and a grid, to be drawn beside curves and to render",
+    (*(_limit(name, is_start) for name in "xyz" for is_start in (True, False)),
+     Parameter("step", "Step", "How far ticks and lines of the grid lie apart", 1.0, 1e-6, unit='LENGTH'),
+     Parameter("tick", "Tick Length", "How long ticks are", 0.06, 0.0, unit='LENGTH'),
+     Parameter("grid", "Grid", "Lines in the plane of x and y at every tick", False),
+     Parameter("spatial", "Z Axis", "An axis of z, too", False)), _axes, resolution=1, thickness=0.005)
 FUNCTIONS = Recipe(
     "functions", "Basis Functions on Knots", "The graphs of B-spline, Bernstein, Hermite, Lagrange or natural spline functions, exact",
     (_FAMILY, _DEGREE, _KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES), _functions, resolution=16, thickness=0.006)
@@ -81,5 +100,5 @@ RECIPES = (
             _PIECE, Parameter("first_level", "First Level", "Of the polygons that are drawn; 0 are the control points", 0, 0, 255),
             Parameter("last_level", "Last Level", "Of the polygons that are drawn; the highest one is the point", 255, 0, 255)),
            _construction, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
-    FUNCTIONS,
+    FUNCTIONS, AXES,
 )
