@@ -362,6 +362,9 @@ class LeastDistance:
     def parameters(self) -> tuple[float | tuple[float, float], float | tuple[float, float]]:
         """Of each shape its parameter; of a patch a pair (u, v)."""
     @property
+    def patches(self) -> tuple[int | None, int | None]:
+        """Of each shape the number of its patch where it is a set, or None."""
+    @property
     def points(self) -> _Floats:
         """Points (2, 3), one on each shape."""
     def __copy__(self) -> LeastDistance: ...
@@ -2502,7 +2505,7 @@ class NurbsCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -2510,8 +2513,8 @@ class NurbsCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -2520,7 +2523,8 @@ class NurbsCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -4450,7 +4454,7 @@ class BezierCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -4458,8 +4462,8 @@ class BezierCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -4468,7 +4472,8 @@ class BezierCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -6115,7 +6120,7 @@ class HermiteCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -6123,8 +6128,8 @@ class HermiteCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -6133,7 +6138,8 @@ class HermiteCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -7877,7 +7883,7 @@ class PowerCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -7885,8 +7891,8 @@ class PowerCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -7895,7 +7901,8 @@ class PowerCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -9032,7 +9039,7 @@ class NurbsPatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -9040,8 +9047,8 @@ class NurbsPatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -9050,7 +9057,8 @@ class NurbsPatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -10562,7 +10570,7 @@ class BezierPatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -10570,8 +10578,8 @@ class BezierPatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -10580,7 +10588,8 @@ class BezierPatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -11862,7 +11871,7 @@ class HermitePatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -11870,8 +11879,8 @@ class HermitePatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -11880,7 +11889,8 @@ class HermitePatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -12858,6 +12868,47 @@ class PatchSet:
         -------
         PatchSet
             The same surfaces.
+        """
+    def least_distance(
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
         """
     def rays(
         self,
