@@ -32,8 +32,8 @@ LeastDistance least_distance(const NurbsCurve& a, const NurbsCurve& b, std::opti
 LeastDistance least_distance(const NurbsCurve& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 LeastDistance least_distance(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 
-/// The same of all patches of sets. The size is that of both sets; pairs of patches whose boxes are farther apart than what is
-/// found are left out.
+/// The same of all patches of sets. The size is that of both sets; pairs of patches whose boxes are farther apart than
+/// a distance that was found are left out.
 LeastDistance least_distance(const NurbsCurve& a, const PatchSet& b, std::optional<double> tolerance = {});
 LeastDistance least_distance(const NurbsPatch& a, const PatchSet& b, std::optional<double> tolerance = {});
 LeastDistance least_distance(const PatchSet& a, const PatchSet& b, std::optional<double> tolerance = {});
