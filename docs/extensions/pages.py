@@ -17,7 +17,7 @@ CPP_ROOMS = {
     "patch": "Patches and their verbs", "convert": "Changes of form", "formula": "Formulas", "measure": "Lengths, areas, curvature",
     "meet": "Where shapes meet", "build": "Shapes from points and formulas", "region": "Plane regions", "fit": "Shapes through points", "conic": "Conics",
     "surface": "Lofts, sweeps, networks, fillings, fillets, subdivision",
-    "tessellate": "Meshes", "exchange": "JSON",
+    "tessellate": "Meshes", "exchange": "JSON, and meshes in files",
 }
 
 

@@ -58,6 +58,9 @@ BOUNDS = {
                          "200 operations"),
     "W10": Bound(11, 0.5, 48, "24 FMA for S, Su, Sv, 18 for cross product and length, in lanes of 4, 0.5 for rows; "
                  "48 bytes"),
+    **{f"W13 {hits}": Bound(20 + count * (40 + 3 * 120), count * 3, 48 + 72 * count, f"a group of 8 boxes of 20 operations, and for "
+                            f"each of {count} hits 2 groups, 3 Newton steps of 120 operations; 48 bytes and 72 a hit")
+       for hits, count in (("first", 1), ("all", 2))},
     "W11": Bound(61 * 31 * 5, 61 * 31 / 2, 0, "61 spans, 31 nodes of Kronrod's rule each: 15 FMA for the speed, its "
                  "length, a root and a division, in lanes of 4"),
 }

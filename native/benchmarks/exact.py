@@ -184,6 +184,8 @@ def references():
         "W8 patch": lambda: least_distances(sheet[:2], sheet[2], data["near_surface"][::workloads.NEAREST_STEP]),
         "W9 curves": lambda: zigzag_crossings(data["zigzag.knots"], data["zigzag_a"] - data["zigzag_b"]),
         "W9 surfaces": lambda: exactly(np.zeros((workloads.BRANCHES * workloads.BRANCH_SAMPLES, 1))),
+        "W13 first": lambda: exactly(np.zeros((workloads.RAYS, 1))),
+        "W13 all": lambda: exactly(np.zeros((2 * workloads.RAYS, 1))),
         "W10": lambda: teapot_rows(data["teapot"], data["patch_grid"]),
         "W11": lambda: np.array([[Fraction(float(arc_length(knots, points)))]]),
     }

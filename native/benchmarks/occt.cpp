@@ -320,6 +320,8 @@ const benchmarks::Workloads kWorkloads = {
     {"W12 fill 4", benchmarks::fill_four},
     {"W12 fill 5", benchmarks::fill_five},
     {"W12 offset", benchmarks::offset},
+    {"W13 first", benchmarks::first_hits},
+    {"W13 all", benchmarks::all_hits},
     {"adaptive", benchmarks::mesh_teapot},
 };
 

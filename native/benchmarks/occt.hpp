@@ -11,6 +11,10 @@ void mesh_teapot(const Run& run);
 void cross_zigzags(const Run& run);
 void cross_waves(const Run& run);
 
+/// Where rays meet the two faces of a lens.
+void first_hits(const Run& run);
+void all_hits(const Run& run);
+
 /// Surfaces from curves and from others.
 void loft(const Run& run);
 void sweep(const Run& run);

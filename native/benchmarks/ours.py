@@ -207,6 +207,23 @@ def sections(run):
     run.keep("sections", np.concatenate(rows), step=1)
 
 
+def rays(run, hits):
+    """Kept is how far the place of the patch is from that on the ray, for each hit."""
+    knots, rows = run.input("waves.knots"), run.input("rays", -1, 6)
+    lens = sc.PatchSet.from_patches([sc.NurbsPatch((3, 3), (knots, knots), run.input(name, 12, 12, 3))
+                                     for name in ("lens_front", "lens_back")])
+    origins, directions = rows[:, :3].copy(), rows[:, 3:].copy()
+    found = lens.rays(origins, directions, hits=hits)
+    met = found.patches >= 0
+    run.time("rays", len(rows), lambda: lens.rays(origins, directions, hits=hits, threads=1), f"{met.sum()} hits")
+    with on_all_cores():
+        run.time("all cores", len(rows), lambda: lens.rays(origins, directions, hits=hits), clock=time.perf_counter)
+    places = np.array([lens[patch].evaluate(u, v) for patch, (u, v) in zip(found.patches[met], found.parameters[met])])
+    of_ray = found.rays[met]
+    on_ray = origins[of_ray] + found.along[met][:, None] * directions[of_ray]
+    run.keep("rays", np.linalg.norm(places - on_ray, axis=1), step=1)
+
+
 def length(run):
     shape = curve(run)
     run.time("length", 1, lambda: shape.length(tolerance=1e-9))
@@ -225,6 +242,12 @@ def adaptive(run):
     made, _ = mesh()
     triangles = len(made.corner_vertices) - 2 * len(made.face_patches)
     run.time("adaptive", 1, mesh, f"{made.vertex_count} vertices, {triangles} triangles")
+
+
+def picture(run):
+    """What notebooks show of a surface."""
+    patch = surface(run)
+    run.time("_repr_svg_", 1, patch._repr_svg_, f"{len(patch._repr_svg_()):,} bytes")
 
 
 RUNS = {
@@ -251,7 +274,10 @@ RUNS = {
     "W10": many_patches,
     "W11": length,
     **ours_surfaces.RUNS,
+    "W13 first": lambda run: rays(run, "first"),
+    "W13 all": lambda run: rays(run, "all"),
     "adaptive": adaptive,
+    "picture": picture,
 }
 
 if __name__ == "__main__":

@@ -11,8 +11,12 @@ WIDTH, LEFT, RIGHT, TOP, BAR, GAP = 1200, 170, 110, 110, 16, 14
 
 
 def draw(rows, machine, path):
+    """Rows that have a bound; nothing where there are none."""
+    path.unlink(missing_ok=True)
     font, small = ImageFont.truetype(FONT, 15), ImageFont.truetype(FONT, 12)
-    bars = [(row, bars_of(row)) for row in rows if row.workload != "adaptive" and row.ours]
+    bars = [(row, bars_of(row)) for row in rows if row.bound_ns and row.ours]
+    if not bars:
+        return
     values = [value for _, each in bars for _, value in each] + [row.bound_ns for row, _ in bars if row.bound_ns]
     low, high = math.floor(math.log10(min(values))), math.ceil(math.log10(max(values)))
     height = TOP + sum(len(each) * BAR + GAP for _, each in bars) + 40

@@ -12,11 +12,13 @@ MARKS = {"W1 sorted": 35, "W1 random": 18, "W2": 20, "W3 points": 13, "W3 normal
          "W5 degree 25": 84, "W6 refine": 2, "W6 elevate": 4, "W6 Beziers": 2,
          "W7 curve 1e3": 10, "W7 curve 1e4": 10, "W7 curve 1e5": 10, "W7 surface": 2,
          "W7 least squares": 12, "W8 curve": 60, "W8 patch": 60,
-         "W9 curves": 1, "W9 surfaces": 1, "W10": 12, "W11": 2, **dict.fromkeys(TOLERANCES, 1)}
+         "W9 curves": 1, "W9 surfaces": 1, "W10": 12, "W11": 2, **dict.fromkeys(TOLERANCES, 1),
+         "W13 first": 20, "W13 all": 20, "picture": 10}
 MARKS_BY_EARLIER = {"adaptive": 10}
 FASTER_OF_BOTH = ("W6 refine", "W6 elevate", "W6 Beziers")
 AGAINST_SCIPY = ("W7 least squares",)
-AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", *TOLERANCES, "adaptive")
+AGAINST_MATPLOTLIB = ("picture",)
+AGAINST_OCCT = ("W8 curve", "W8 patch", "W11", *TOLERANCES, "W13 first", "W13 all", "adaptive")
 ACCURATE_LENGTH = 1e-9
 ALL_CORES = "splinecore, all cores"
 
@@ -89,6 +91,8 @@ def rival_of(row):
         rivals = [name for name in rivals if name.startswith("OCCT")]
     elif row.workload in AGAINST_SCIPY:
         rivals = [name for name in rivals if name.startswith("scipy")]
+    elif row.workload in AGAINST_MATPLOTLIB:
+        rivals = [name for name in rivals if name.startswith("matplotlib")]
     elif row.workload not in FASTER_OF_BOTH:
         rivals = [name for name in rivals if name.startswith("SISL")]
     if row.workload == "W11":
@@ -180,11 +184,12 @@ WHAT = {
     "W8 curve": "the nearest point of a rational cubic curve, a query", "W8 patch": "of a rational bicubic surface",
     "W9 curves": "63 crossings of two cubics of 64 points", "W9 surfaces": "the curves of two bicubic waves within 1e-5",
     "W10": "32 patches of 64 × 64 points with normals",
-    "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3",
+    "W11": "length of a curve to 1e-9", "adaptive": "the teapot meshed to 1e-3", "picture": "a bicubic surface as the SVG of a notebook",
     "W12 loft": "a loft through 12 sections of 32 points", "W12 sweep": "a section of 8 points along a rail of 16 within 1e-4",
     "W12 pipe": "a pipe about it within 1e-4", "W12 coons": "a Coons patch of four borders",
     "W12 fill 4": "a hole of four sides in a sphere filled, G1 within 1e-4 and 1e-2 rad", "W12 fill 5": "of five sides",
     "W12 offset": "the offset of a bicubic wave within 1e-5",
+    "W13 first": "the first hit on a lens of two bicubic patches of 12 × 12 points, a ray", "W13 all": "all hits, a ray",
 }
 
 

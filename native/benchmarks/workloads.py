@@ -8,10 +8,12 @@ import numpy as np
 WORKLOADS = ("W1 sorted", "W1 random", "W2", "W3 points", "W3 normals", "W4", "W5 degree 11", "W5 degree 25",
              "W6 refine", "W6 elevate", "W6 Beziers", "W7 curve 1e3", "W7 curve 1e4", "W7 curve 1e5", "W7 surface",
              "W7 least squares", "W8 curve", "W8 patch", "W9 curves", "W9 surfaces", "W10", "W11", "W12 loft", "W12 sweep",
-             "W12 pipe", "W12 coons", "W12 fill 4", "W12 fill 5", "W12 offset", "adaptive")
+             "W12 pipe", "W12 coons", "W12 fill 4", "W12 fill 5", "W12 offset",
+             "W13 first", "W13 all", "adaptive", "picture")
 PARAMETERS = 1_000_000
 GRID = 1000
 PATCH_GRID = 64
+RAYS = 2000
 SAMPLE_STEP = 2503
 NEAREST_STEP = 37
 BRANCHES = 4
@@ -86,6 +88,18 @@ def waves(count, height):
     """Points of a sheet over the unit square of heights by a function of both coordinates: (count, count, 3)."""
     x, y = np.meshgrid(*[np.linspace(0, 1, count)] * 2, indexing="ij")
     return np.stack([x, y, height(x, y)], -1)
+
+
+def paraboloid(x, y):
+    """Heights of a face of a lens over the unit square."""
+    return 0.3 - 0.5 * ((x - 0.5)**2 + (y - 0.5)**2)
+
+
+def rays(count):
+    """From above through the middle of the unit square, not quite down: (count, 6), origins and directions of length 1."""
+    places, slopes = 0.3 + 0.4 * random(40, 2 * count).reshape(count, 2), 0.2 * random(41, 2 * count).reshape(count, 2) - 0.1
+    directions = np.column_stack([slopes, np.full(count, -1.0)])
+    return np.column_stack([places, np.full(count, 2.0), directions / np.linalg.norm(directions, axis=1, keepdims=True)])
 
 
 def bezier(degree, seed):
@@ -213,6 +227,7 @@ def inputs():
         "waves.knots": uniform_knots(12),
         "waves_a": waves(12, lambda x, y: 0.15 * np.sin(8 * x) * np.cos(6 * y)),
         "waves_b": waves(12, lambda x, y: 0.1 * np.sin(5 * y + 1) * np.cos(7 * x) + 0.02),
+        "lens_front": waves(12, paraboloid), "lens_back": waves(12, lambda x, y: -paraboloid(x, y)), "rays": rays(RAYS),
         "teapot": teapot(), "patch_grid": np.linspace(0, 1, PATCH_GRID), **of_surfaces(),
     }
 

@@ -1,5 +1,6 @@
 #include "arrays.hpp"
 #include "long_calls.hpp"
+#include "mesh_files.hpp"
 #include "rooms.hpp"
 #include "splinecore/exchange/json.hpp"
 #include "values.hpp"
@@ -63,6 +64,7 @@ void bind_exchange(py::module_& module) {
         return object_of(unlocked([&] { return splinecore::from_json(utf8); }));
       },
       py::arg("text"));
+  bind_mesh_files(module);
 }
 
 }  // namespace bindings

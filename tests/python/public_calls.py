@@ -260,6 +260,7 @@ def solid(one, at):
 
 
 PATCH_SET = MOVED | RAYS | {
+    "least_distance": lambda one, at: one.least_distance(at.bezier, 0.1 * at.size),
     "oriented": lambda one, at: one.oriented(),
     "__init__": lambda one, at: sc.PatchSet(one.points, one.patches, one.weights),
     "from_patches": lambda one, at: sc.PatchSet.from_patches([one[0]]),

@@ -45,7 +45,7 @@ def test_every_workload_has_what_it_needs(workload):
     assert workload in table.WHAT
     if workload in workloads.TOLERANCES:
         assert workload in table.MARKS and workload in deviations.MEASURES
-    elif workload != "adaptive":
+    elif workload not in ("adaptive", "picture"):
         assert workload in table.MARKS and workload in bounds.BOUNDS and workload in exact.references()
     rivals = "".join((BENCHMARKS / name).read_text() for name in ("sisl.cpp", "occt.cpp", "scipy_splines.py"))
     assert f'{{"{workload}", ' in rivals or f'"{workload}": ' in rivals
@@ -141,6 +141,13 @@ def test_a_surface_that_is_off_is_no_rival():
     assert row.rival == "OCCT, near" and row.ratio == pytest.approx(9)
     assert "| 10 | 96 | 5e-05 | 90 (OCCT near) | 1,200 | 9e-05, 0.004 rad | 9.0× |" in table.brief([row], MACHINE)
     assert "off by 2.0e-04; a word" in table.markdown([row], MACHINE)
+
+
+def test_rows_without_a_bound_have_no_bars(tmp_path):
+    import plot
+    rows = [row_of([line("adaptive", "splinecore", "adaptive", 5), line("adaptive", "OCCT", "BRepMesh", 9)])]
+    plot.draw(rows, MACHINE, tmp_path / "table.png")
+    assert not list(tmp_path.iterdir())
 
 
 class Kept:

@@ -4,6 +4,7 @@ import html.parser
 import io
 import re
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -106,9 +107,16 @@ def test_addresses_on_the_web_stand_in_one_file_only():
             assert not re.search(r"https?://", path.read_text()), path
 
 
-def test_the_zip_has_the_addresses_that_are_known():
+def test_every_part_has_the_addresses_that_are_known():
+    """None is made up: where there is none yet, none is shown."""
     known = make_zip.addresses((PROJECT / "addon/splinewright/ui/addresses.py").read_text())
-    assert known == {}
+    urls = tomllib.loads((PROJECT / "native/pyproject.toml").read_text())["project"].get("urls", {})
+    assert urls == {label: known[name] for label, name in (("Homepage", "WEBSITE"), ("Issues", "ISSUES")) if name in known}
+    cited = re.findall(r"^url: (.*)$", (PROJECT / "CITATION.cff").read_text(), re.M)
+    assert [one.strip('"') for one in cited] == ([known["WEBSITE"]] if "WEBSITE" in known else [])
+
+
+def test_the_zip_has_the_addresses_that_are_known():
     init, manifest = ((PROJECT / "addon/splinewright" / name).read_text() for name in ("__init__.py", "blender_manifest.toml"))
     for name, text in (("__init__.py", init), ("blender_manifest.toml", manifest)):
         made = make_zip.completed(name, text, "1.2.3", {})

@@ -94,3 +94,23 @@ def test_nothing_is_a_file_of_nothing(tmp_path):
     for ending in ("obj", "ply", "stl", "glb"):
         meshes.save(tmp_path / f"a.{ending}", [])
     assert glb_parts((tmp_path / "a.glb").read_bytes())[0] == {"asset": {"version": "2.0", "generator": "splinecore"}}
+
+
+def test_arrays_that_do_not_fit_are_refused():
+    corners = np.array([(0, 0, 0), (3, 0, 0), (0, 3, 0)], np.float32)
+    good = (corners, None, [0, 3], [0, 1, 2])
+    assert meshes.obj([good]) == b"v 0 0 0\nv 3 0 0\nv 0 3 0\nf 1 2 3\n"
+    assert meshes.obj([(corners.astype(float), None, [0], np.array([0, 1, 2], np.uint8))]) == meshes.obj([good])
+    for place, wrong, word in ((3, [0, 1, 3], "vertex 3 of corner 2"), (3, [0, 1, 2**40], "too large"), (3, [[0, 1, 2]], "expected"),
+                               (0, corners[:, :2], "expected"), (0, np.where(corners == 3, np.nan, corners), "finite"),
+                               (1, corners[:2], "2 normals for 3 corners"), (2, [0, 2], "face starts"), (2, [], "face starts")):
+        mesh = [*good]
+        mesh[place] = wrong
+        for write in (meshes.obj, meshes.ply, meshes.stl, meshes.glb):
+            with pytest.raises(sc.InvalidShape, match=word):
+                write([tuple(mesh)])
+    for wrong in (3, good, [good[:3]], [(*good[:3], [0.0, 1.0, 2.0])], [("abc", *good[1:])]):
+        with pytest.raises((sc.InvalidShape, TypeError)):
+            meshes.stl(wrong)
+    with pytest.raises(sc.InvalidShape, match="two points"):
+        meshes.glb([], [(corners[:1], False)])

@@ -109,7 +109,7 @@ HEADERS = _files(NATIVE / "include", ".hpp")
 SOURCES = _files(NATIVE / "src", ".cpp", ".hpp")
 BINDINGS = _files(NATIVE / "bindings", ".cpp", ".hpp")
 PAGES = [*_files(ADDON / "manual", ".md"), *_files(PROJECT / "docs", ".md"),
-         *(PROJECT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md"))]
+         *(PROJECT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "addon/splinewright/CHANGELOG.md"))]
 #: Where texts are: (path, line, text).
 ROOMS = {
     'pages': lambda: ((path, *text) for path in PAGES for text in _markdown_texts(path)),

@@ -383,6 +383,9 @@ class LeastDistance:
     def parameters(self) -> tuple[float | tuple[float, float], float | tuple[float, float]]:
         """Of each shape its parameter; of a patch a pair (u, v)."""
     @property
+    def patches(self) -> tuple[int | None, int | None]:
+        """Of each shape the number of its patch where it is a set, or None."""
+    @property
     def points(self) -> _Floats:
         """Points (2, 3), one on each shape."""
     def __copy__(self) -> LeastDistance: ...
@@ -2532,7 +2535,7 @@ class NurbsCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -2540,8 +2543,8 @@ class NurbsCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -2550,7 +2553,8 @@ class NurbsCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -4489,7 +4493,7 @@ class BezierCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -4497,8 +4501,8 @@ class BezierCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -4507,7 +4511,8 @@ class BezierCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -6163,7 +6168,7 @@ class HermiteCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -6171,8 +6176,8 @@ class HermiteCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -6181,7 +6186,8 @@ class HermiteCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -7934,7 +7940,7 @@ class PowerCurve:
         1.5
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -7942,8 +7948,8 @@ class PowerCurve:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -7952,7 +7958,8 @@ class PowerCurve:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -9089,7 +9096,7 @@ class NurbsPatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -9097,8 +9104,8 @@ class NurbsPatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -9107,7 +9114,8 @@ class NurbsPatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -10619,7 +10627,7 @@ class BezierPatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -10627,8 +10635,8 @@ class BezierPatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -10637,7 +10645,8 @@ class BezierPatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -11919,7 +11928,7 @@ class HermitePatch:
         2.0
         """
     def least_distance(
-        self, other: _Curve | _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> LeastDistance:
         """Find where this shape and another one are nearest to each other.
 
@@ -11927,8 +11936,8 @@ class HermitePatch:
 
         Parameters
         ----------
-        other : curve or patch
-            A curve or patch of any kind.
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
         tolerance : float, optional
             How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
         cancel : callable, optional
@@ -11937,7 +11946,8 @@ class HermitePatch:
         Returns
         -------
         LeastDistance
-            The distance, with parameters and points on both shapes.
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
 
         Raises
         ------
@@ -12915,6 +12925,47 @@ class PatchSet:
         -------
         PatchSet
             The same surfaces.
+        """
+    def least_distance(
+        self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
+    ) -> LeastDistance:
+        """Find where this shape and another one are nearest to each other.
+
+        The global minimum, ends and borders included. Of several places at one distance it is any of them.
+
+        Parameters
+        ----------
+        other : curve or patch or PatchSet
+            A curve or patch of any kind, or a set of patches.
+        tolerance : float, optional
+            How much nearer they may be elsewhere, a length; by default 2^-33 of the size of both.
+        cancel : callable, optional
+            A function without arguments that is called now and then; a true result ends the call.
+
+        Returns
+        -------
+        LeastDistance
+            The distance, with parameters and points on both shapes, and which patches of sets they are
+            on.
+
+        Raises
+        ------
+        InvalidShape
+            If the tolerance is negative, or bent shapes are at one distance all along: give a larger
+            tolerance.
+        Cancelled
+            If `cancel` returned true.
+
+        References
+        ----------
+        Johnson and Cohen 1998; lecture row S18.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> b = sc.BezierCurve([(1, 3), (3, 1)])
+        >>> a.least_distance(b).distance
+        1.0
         """
     def rays(
         self,

@@ -89,7 +89,7 @@ def obj(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     Raises
     ------
     InvalidShape
-        If face starts do not fit the corners.
+        If arrays do not fit each other, or a coordinate is not finite.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def ply(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     Raises
     ------
     InvalidShape
-        If face starts do not fit the corners.
+        If arrays do not fit each other, or a coordinate is not finite.
     """
 def stl(meshes: Sequence[_Mesh]) -> bytes:
     """Write meshes as a binary STL file: faces as fans of triangles.
@@ -135,12 +135,13 @@ def stl(meshes: Sequence[_Mesh]) -> bytes:
     Raises
     ------
     InvalidShape
-        If face starts do not fit the corners.
+        If arrays do not fit each other, or a coordinate is not finite.
     """
 def glb(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     """Write meshes and lines as a binary glTF 2.0 file.
 
-    Faces are fans of triangles, with a vertex for each corner that has a normal.
+    Faces are fans of triangles, with a vertex for each corner where there are normals, which get their length of 1; where the
+    surface has none it is that of the face.
 
     Parameters
     ----------
@@ -158,5 +159,5 @@ def glb(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     Raises
     ------
     InvalidShape
-        If face starts do not fit the corners.
+        If arrays do not fit each other, or a coordinate is not finite.
     """

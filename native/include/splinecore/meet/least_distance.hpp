@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
+#include "splinecore/patch/patch_set.hpp"
 
 namespace splinecore {
 
@@ -16,6 +18,8 @@ struct LeastDistance {
   std::array<double, 2> b;
   glm::dvec3 point_a;
   glm::dvec3 point_b;
+  std::size_t patch_a = 0;  ///< of a set
+  std::size_t patch_b = 0;
 };
 
 /// The least distance of two shapes, ends and borders included. Places are feet of each other, by nearest(), from where
@@ -27,5 +31,11 @@ struct LeastDistance {
 LeastDistance least_distance(const NurbsCurve& a, const NurbsCurve& b, std::optional<double> tolerance = {});
 LeastDistance least_distance(const NurbsCurve& a, const NurbsPatch& b, std::optional<double> tolerance = {});
 LeastDistance least_distance(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance = {});
+
+/// The same of all patches of sets. The size is that of both sets; pairs of patches whose boxes are farther apart than
+/// a distance that was found are left out.
+LeastDistance least_distance(const NurbsCurve& a, const PatchSet& b, std::optional<double> tolerance = {});
+LeastDistance least_distance(const NurbsPatch& a, const PatchSet& b, std::optional<double> tolerance = {});
+LeastDistance least_distance(const PatchSet& a, const PatchSet& b, std::optional<double> tolerance = {});
 
 }  // namespace splinecore
