@@ -305,7 +305,7 @@ def make_periodic(tolerance):
 def project(eye):
     """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9).
 
-    They are above 0 where the curve lies on one side of the eye, wherever that is.
+    They are above 0 where the curve lies on one side of the eye, above or below the plane.
     """
     x, y, z = map(decimals.typed, eye)
     matrix = math.copysign(1.0, z) * np.array([[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]])
