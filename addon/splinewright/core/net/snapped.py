@@ -5,11 +5,11 @@ import numpy as np
 _EPSILON = float(np.finfo(np.float32).eps)
 #: Of the largest coordinate: Blender puts a point onto another by adding the way there, in single precision.
 _NEAR = 4 * _EPSILON
-#: A point that comes from nearer than so many times that was only moved a little.
+#: A point that comes from nearer than this many times that was only moved a little.
 _FROM = 1000
 #: Along it points of grids are apart.
 _SLANT = np.array([0.269, 0.535, 0.801])
-#: Of many points in one place each is compared with so many.
+#: Of many points in one place each is compared with this number of others.
 _MOST_NEIGHBORS = 8
 
 
