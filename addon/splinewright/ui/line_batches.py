@@ -52,15 +52,15 @@ def arrows(pairs, color):
 
 
 def _arrow(foot, head):
-    """(3, 2, 3): the ends of the lines of an arrow."""
+    """(5, 2, 3): the ends of the lines of an arrow. Its barbs lie in two planes: one at least is seen from any side."""
     along = head - foot
     length = np.linalg.norm(along)
     if length == 0.0:
-        return np.broadcast_to(head, (3, 2, 3))
+        return np.broadcast_to(head, (5, 2, 3))
     across = np.cross(along, np.eye(3)[np.argmin(np.abs(along))])
-    across *= 0.06 * length / np.linalg.norm(across)
+    sides = [0.06 * length * side / np.linalg.norm(side) for side in (across, np.cross(along, across))]
     back = head - 0.15 * along
-    return np.array([(foot, head), (head, back + across), (head, back - across)])
+    return np.array([(foot, head), *((head, back + sign * side) for side in sides for sign in (1, -1))])
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from ..data import blocks, settings, store, versions
 from ..data.shading import Look
 from ..mesh import mesh_looks
 from ..shape import curve_pieces, shape
-from . import measure_native, native_layers, native_links, native_splines, read_native, retype, staging
+from . import measure_native, native_layers, native_links, native_splines, read_native, retype, staging, surface_rows
 
 #: Of objects that can be made exact.
 TYPES = ('CURVE', 'SURFACE', 'FONT')
@@ -29,18 +29,19 @@ class Outcome(NamedTuple):
 def make_exact(context, ob):
     """Make the data-block of a CURVE, SURFACE or FONT object a shape, and so of all objects that share it.
 
-    A curve keeps its data-block. A surface becomes a mesh, a text a curve, and the objects stay the same objects.
+    A curve keeps its data-block. A surface becomes a mesh, rows of points and a text curves, and the objects stay the same objects.
     Raises one of the FAILURES, and has changed nothing, if it cannot be.
     """
     users = native_links.users_of(ob.data)
     _require_native(ob, users)
     if ob.type == 'FONT':
         _become_curve(context, ob)
+    dropped = surface_rows.become_curves(context, ob, users) if ob.type == 'SURFACE' and surface_rows.are_all(ob) else []
     reading = read_native.read(ob)
     if reading.value is None:
         raise Refusal("; ".join(["nothing to make exact", *reading.dropped]))
     deviation = measure_native.of_reading(ob, reading)
-    dropped = reading.dropped + native_links.parented_points(users)
+    dropped += reading.dropped + native_links.parented_points(users)
     if ob.data.shape_keys:
         dropped.append("the shape keys")
     lost = (_surface if ob.type == 'SURFACE' else _curve)(context, ob, reading, users)

@@ -1,5 +1,6 @@
 """Blender's own curve and surface objects as splinecore values of what Blender draws."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import bpy
@@ -56,6 +57,12 @@ def read(ob, depsgraph=None):
             kept.append(i)
     return Reading(_joined(pieces, is_surface), tuple(splines[i] for i in kept), tuple(kept),
                    tuple(materials[i] for i in kept), dropped)
+
+
+def rows(ob):
+    """The NativeSplines of a SURFACE object of rows of points, as those of curves."""
+    splines, _ = _splines(ob, True, None)
+    return [replace(spline, points=spline.points[:, 0], directions=spline.directions[:1]) for spline in splines]
 
 
 def single_point(ob):

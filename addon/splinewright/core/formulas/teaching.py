@@ -74,8 +74,14 @@ def _casteljau(curve, u, is_rational):
 
 
 def broken_text(broken):
-    """A sentence for where the rational algorithm breaks."""
+    """A sentence for where the rational algorithm breaks. It counts points from 1, which the reasons of the library do not."""
     level, i, reason = broken
+    if level == 0:
+        reason = "it is a direction, of weight 0"
+    elif "too large" in reason:
+        reason = "it is too large for a number"
+    else:
+        reason = reason.partition(" in row")[0]
     return f"the rational algorithm breaks at level {level}, point {i + 1}: {reason}"
 
 

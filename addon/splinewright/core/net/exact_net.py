@@ -12,6 +12,7 @@ import numpy as np
 
 from ..shape import definition as definitions
 from ..shape.definition import Definition
+from . import snapped
 
 _EPSILON = float(np.finfo(np.float32).eps)
 
@@ -49,6 +50,11 @@ class Net:
         """The positions as they were handed out."""
         with np.errstate(over='ignore'):
             return self.positions.astype(np.float32)
+
+    @cached_property
+    def order(self):
+        """Of the positions as they were handed out."""
+        return snapped.Order(self.single.astype(np.float64))
 
     @cached_property
     def single_weights(self):
@@ -143,13 +149,18 @@ class Exact:
 
 
 def exact(net, positions, weights, typed=()):
-    """The digits behind float32 positions (n, 3) and weights (n,): those of the net where nothing moved.
+    """The digits behind float32 positions (n, 3) and weights (n,): those of the net where nothing moved, and of a point onto
+    which another was put.
 
     typed: rows (vertex, x, y, z, w) of float64 numbers, which a vertex that has their float32 value takes.
     """
     kept = in_rows(np.abs(positions - net.single) <= net.slack)
     kept_weights = weights == net.single_weights
     now = np.where(kept[:, None], net.positions, positions)
+    moved = np.flatnonzero(net.are_points & ~kept)
+    if len(moved):
+        for point, onto in snapped.targets(net.single, positions.astype(np.float64), moved, net.order):
+            now[point] = now[onto]
     now_weights = np.where(kept_weights, net.weights, weights)
     for number, *position, weight in typed:
         vertex = int(number)

@@ -5,6 +5,7 @@ that lies elsewhere than its parent is a Part.
 Each of the functions below gives a verb. What a kind of curve cannot do, its NURBS form does. A tolerance is a length.
 """
 
+import math
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -302,14 +303,18 @@ def make_periodic(tolerance):
 
 
 def project(eye):
-    """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9)."""
+    """The image on the plane z = 0, seen from a point: new weights are what the perspective does (S9).
+
+    They are above 0 where the curve lies on one side of the eye, above or below the plane.
+    """
     x, y, z = map(decimals.typed, eye)
-    matrix = [[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]]
+    matrix = math.copysign(1.0, z) * np.array([[z, 0, -x, 0], [0, z, -y, 0], [0, 0, 0, 0], [0, 0, -1, z]])
 
     def verb(curve):
         if z == 0.0:
             raise Refusal("the eye lies in the plane of the image, z = 0")
-        return curve.to_nurbs().transformed(matrix)
+        image = curve.to_nurbs().transformed(matrix)
+        return curve.to_nurbs().transformed(-matrix) if image.weights.max() <= 0.0 else image
     return verb
 
 
