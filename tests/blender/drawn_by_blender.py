@@ -51,6 +51,8 @@ def _given(ob):
     activate(ob)
     assert run('to_native') == {'FINISHED'}
     ob = bpy.data.objects[name]
+    if ob.type == 'CURVE':
+        ob.data.bevel_depth = 0.0
     for spline in ob.data.splines:
         spline.resolution_u, spline.resolution_v = (ON_SURFACES,) * 2 if ob.type == 'SURFACE' else (ON_CURVES, 1)
     ob.data.update_tag()

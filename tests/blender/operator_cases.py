@@ -156,6 +156,13 @@ def made_editable():
     run('make_editable')
 
 
+def sampled():
+    """Shapes from a file, which are shown thick."""
+    known = set(bpy.data.objects)
+    run('add_sample', sample='vase')
+    activate(*(set(bpy.data.objects) - known))
+
+
 def restored():
     by_hand(add(sheet()))
     run('restore')
@@ -178,7 +185,7 @@ STAGED = {
     'edit_net': edited, 'leave_net': edited, 'weight_here': lambda: in_net(wave(), lambda: run('weight_here', weight=0.7)),
     'point_from_infinity': back_from_infinity, 'apply_transform': lambda: moved_whole('apply_transform'),
     'adopt_transform': lambda: moved_whole('adopt_transform'), 'axis_from_edge': axis_from_edge, 'make_editable': made_editable,
-    'restore': restored, 'make_exact': taken_over,
+    'restore': restored, 'add_sample': sampled, 'make_exact': taken_over,
     'import_json': lambda: imported('import_json'), 'import_bpt': lambda: imported('import_bpt'),
     'add_inputs': lambda: loft_with('add_inputs'), 'remove_input': lambda: loft_with('remove_input', index=1),
     'move_input': lambda: loft_with('move_input', index=0, way='DOWN'), 'turn_input': lambda: loft_with('turn_input', index=1),
@@ -206,6 +213,5 @@ BECAUSE = {
     'update_now': "makes again what recipes make, which have cases", 'update_late': "the same, beside Blender", 'export_bpt': "writes a file",
     'project_points': "makes meshes of points", 'radius_here': "changes the radius, which lies along a curve",
     'tilt_here': "changes the tilt, which lies along a curve", 'bake_animation': "leaves keys, and no shape",
-    'add_sample': "brings shapes from a file, at which test_sample_scenes.py looks; not yet compared here",
     'unbake': "brings back the shapes of before",
 }

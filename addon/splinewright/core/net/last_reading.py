@@ -9,6 +9,7 @@ import numpy as np
 
 from ..base.arrays import are_equal
 from ..shape.definition import Definition
+from . import snapped
 from .exact_net import Exact, in_rows
 
 
@@ -58,8 +59,17 @@ class LastReading:
         positions = said.positions[slots if self._is_in_order else self._found.slots[vertices]]
         if not np.isfinite(positions).all() or len(typed) and np.isin(typed[:, 0], vertices).any():
             return None
-        self.said, self._found, self._definition = said, *self._with(vertices, positions)
-        return self._found, self._definition
+        found, definition = self._with(vertices, positions)
+        if self._has_snapped(said, found):
+            return None
+        self.said, self._found, self._definition = said, found, definition
+        return found, definition
+
+    def _has_snapped(self, said, found):
+        """Whether a point lies on another one onto which it was put, whose digits it takes in core.net.exact_net."""
+        net, moved = self._net, np.flatnonzero(~found.state.kept)
+        places = said.positions if self._is_in_order else said.positions[found.slots]
+        return bool(len(moved)) and bool(snapped.targets(net.single, places.astype(np.float64), moved, net.order))
 
     def agrees(self, said):
         """Whether a Said is the last one but for positions."""
