@@ -18,7 +18,7 @@ targets=(json formula curve patch tessellation definition build features fit mee
 optimized=-O1
 [ "$part" != quick ] || optimized=-O0
 export CCACHE_DIR=$cache/ccache CCACHE_BASEDIR=$project CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=1G
-export CCACHE_DEPEND=1 CCACHE_SLOPPINESS=time_macros
+export CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_PCH_EXTSUM=1 SANITIZE_PROJECT=$project
 export UBSAN_OPTIONS=print_stacktrace=1
 cd "$project"
 source tests/sharing/share.sh
@@ -67,8 +67,8 @@ build_with() {
   [ "$sanitizer" = thread ] || fuzz=ON
   mkdir -p "$folder"
   /usr/bin/cmake -S . -B "$folder" -G Ninja -DPython_EXECUTABLE="$python" -DCMAKE_CXX_COMPILER="$clang" \
-    -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="$optimized -g1" -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
+    -DCMAKE_CXX_COMPILER_LAUNCHER="$here/compile.sh" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="$optimized -g1" -DSPLINECORE_PRECOMPILED=ON -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
     >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log" >&2; exit 1; }
   /usr/bin/cmake --build "$folder" -j 2 --target "$@" >"$folder/build.log" 2>&1 || {
     grep -A 20 -m 3 -E 'error: |FAILED: ' "$folder/build.log" >&2
