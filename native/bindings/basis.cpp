@@ -185,7 +185,9 @@ void bind_basis(py::module_& module) {
       })
       .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); })
       .def_property_readonly("greville", [](const KnotVector& self) {
-        return new_numbers(std::span<const double>(splinecore::greville_abscissae(self)));
+        auto numbers = new_numbers(std::span<const double>(splinecore::greville_abscissae(self)));
+        numbers.attr("setflags")(py::arg("write") = false);
+        return numbers;
       })
       .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
       .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
