@@ -63,7 +63,8 @@ def _material(name, color):
         return known
     made, linear = bpy.data.materials.new(name), [_linear(channel) for channel in color]
     made.diffuse_color = (*linear, 1.0)
-    made.use_nodes = True
+    if made.node_tree is None:          # since 5.0 there always is one
+        made.use_nodes = True
     nodes, links = made.node_tree.nodes, made.node_tree.links
     nodes.clear()
     output, light = nodes.new('ShaderNodeOutputMaterial'), nodes.new('ShaderNodeEmission')
