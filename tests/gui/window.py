@@ -5,6 +5,7 @@ can be known is that Blender has taken the events and drawn what came of them.
 """
 
 import importlib
+import itertools
 import os
 import struct
 import sys
@@ -181,10 +182,20 @@ class View:
         area.type = kind
         return area
 
-    def search(self, places, is_found, what, key, **modifiers):
-        """Steps that press a key at one place after the other until it is found."""
-        end = time.monotonic() + LIMIT
+    def scroll_down(self, notches):
+        """Steps that turn the wheel at the mouse."""
+        for _ in range(notches):
+            self.window.event_simulate('WHEELDOWNMOUSE', 'PRESS', x=self.x, y=self.y)
+            yield
+        yield from redrawn()
+
+    def search(self, places, is_found, what, key, scrolls=False, **modifiers):
+        """Steps that press a key at one place after the other until it is found. scrolls: from the second time on what lies further
+        down is brought up."""
+        end, passes = time.monotonic() + LIMIT * (3 if scrolls else 1), itertools.count()
         while time.monotonic() < end:
+            if next(passes) > 1 and scrolls:
+                yield from self.scroll_down(5)
             for place in places:
                 self.move(*place)
                 yield
@@ -201,7 +212,7 @@ class View:
         places = [(region.x + region.width // 2, y) for y in range(region.y + region.height - 30, region.y, -9)]
         # The key copies the name of what is below the mouse; 5.2 tells which of several numbers it is.
         yield from self.search(places, lambda: manager.clipboard.partition("[")[0].endswith(name), f"a field {name}",
-                               'C', ctrl=True, shift=True)
+                               'C', scrolls=True, ctrl=True, shift=True)
 
 
 def opened_browser():
