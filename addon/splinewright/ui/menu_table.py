@@ -188,7 +188,7 @@ def menus_in(menu):
 
 
 def entries_in(menu):
-    """What is in a menu and in all below it, but for menus and lines."""
+    """The operators in a menu and in all below it."""
     return [entry for below in menus_in(menu) for entry in below.entries if isinstance(entry, (Entry, Native))]
 
 

@@ -66,7 +66,7 @@ class LastReading:
         return found, definition
 
     def _has_snapped(self, said, found):
-        """Whether a point lies on another one onto which it was put, whose digits it takes in core.net.exact_net."""
+        """Whether a point was put onto another one: core.net.exact_net gives it the digits of that."""
         net, moved = self._net, np.flatnonzero(~found.state.kept)
         places = said.positions if self._is_in_order else said.positions[found.slots]
         return bool(len(moved)) and bool(snapped.targets(net.single, places.astype(np.float64), moved, net.order))
