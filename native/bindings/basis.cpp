@@ -166,6 +166,15 @@ struct BoundSamples {
   }
 };
 
+/// Numbers that nobody can write into, whatever is asked of the array: bytes hold them.
+py::array frozen_numbers(const std::vector<double>& numbers) {
+  const py::bytes held(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
+  py::array_t<double> array({static_cast<py::ssize_t>(numbers.size())},
+                            reinterpret_cast<const double*>(PyBytes_AS_STRING(held.ptr())), held);
+  array.attr("setflags")(py::arg("write") = false);
+  return array;
+}
+
 }  // namespace
 
 void bind_basis(py::module_& module) {
@@ -185,9 +194,7 @@ void bind_basis(py::module_& module) {
       })
       .def_property_readonly("domain", [](const KnotVector& self) { return pair_of(self.domain()); })
       .def_property_readonly("greville", [](const KnotVector& self) {
-        auto numbers = new_numbers(std::span<const double>(splinecore::greville_abscissae(self)));
-        numbers.attr("setflags")(py::arg("write") = false);
-        return numbers;
+        return frozen_numbers(splinecore::greville_abscissae(self));
       })
       .def("span", &span_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")
       .def("functions", &functions_at, py::arg("u"), py::kw_only(), py::arg("side") = "right")

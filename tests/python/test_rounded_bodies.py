@@ -317,7 +317,7 @@ def test_an_edge_that_ends_in_planes_takes_these_back():
 
 
 def test_a_wall_and_a_lid_of_two_shapes_are_exact_whatever_the_patch_of_the_lid():
-    outline = core('recipes.meeting_recipes')._without_corners(np.array([(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0.0)]), 'round', 0.5, True)
+    outline = sc.build.contour([(0, 0, 0), (4, 0, 0), (4, 2, 0), (0, 2, 0)], closed=True).rounded(0.5)
     wall_patch, bottom, top = capped(outline, 0, 0, 1)
     for cap in (bottom, top):
         made = make('rounded_edge', wall_patch, cap, radius=0.3, end_radius=0.3)
@@ -387,7 +387,7 @@ def outline_at_random(rng):
     angles = np.linspace(0, 2 * np.pi, count, endpoint=False) + rng.uniform(-0.2, 0.2, count)
     points = np.c_[3 * np.cos(angles) * rng.uniform(0.8, 1.5), 3 * np.sin(angles), np.zeros(count)]
     least = rng.uniform(0.3, 0.5)
-    return core('recipes.meeting_recipes')._without_corners(points, 'round', least, True), least
+    return sc.build.contour(points, closed=True).rounded(least, shrink=True), least
 
 
 def off_the_ball(points, outline, radius, height):
