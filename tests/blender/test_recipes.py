@@ -11,8 +11,9 @@ from layouts import sidebar
 from shapes import VALUES, activate, add, enter, leave, move, numbers_of, op, require_exact, select, shown
 from support import curve_points, part, splinecore as sc
 
-made, selection, recipes, shape, store, table = (part(name) for name in (
-    'bridge.shape.recipe_edit', 'bridge.net.selection', 'bridge.recipes.recipes', 'bridge.shape.shape', 'bridge.data.store', 'core.recipes.table'))
+definitions, made, selection, recipes, shape, store, table = (part(name) for name in (
+    'core.shape.definition', 'bridge.shape.recipe_edit', 'bridge.net.selection', 'bridge.recipes.recipes', 'bridge.shape.shape',
+    'bridge.data.store', 'core.recipes.table'))
 RECIPES = {recipe.kind: recipe for recipe in table.STARTING}
 WITH_POINTS = [kind for kind, recipe in RECIPES.items() if recipe.points]
 
@@ -31,7 +32,9 @@ def numbers(ob):
 def test_what_a_recipe_adds_is_what_its_numbers_say_and_stays_so_in_a_file(kind, tmp_path):
     ob = add_recipe(kind)
     recipe = RECIPES[kind]
-    assert ob.data.splinewright.value == recipe.make(recipe.start_for(recipe.defaults), **recipe.defaults).value
+    made = recipe.make(recipe.start_for(recipe.defaults), **recipe.defaults).definition
+    assert ob.data.splinewright.value == definitions.to_value(made)
+    assert [piece.name for piece in store.read(ob.data).pieces] == [piece.name for piece in made.pieces]
     require_exact(ob)
     value, name = ob.data.splinewright.value, ob.name
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "recipe.blend"))
