@@ -157,7 +157,7 @@ def test_control_points_weights_and_knots_have_their_labels():
     patch = sc.BezierPatch(np.random.default_rng(1).uniform(-1, 1, (2, 3, 3)))
     assert [text for text, _ in labels_of(add(patch, "patch"))] == [f"P_{i},{j}" for i in range(2) for j in range(3)]
     many = add(sc.NurbsCurve(1, np.arange(503.0), np.random.default_rng(1).uniform(-1, 1, (501, 3))), "many")
-    assert labels_of(many) == []
+    assert labels_of(many) == [("1,000 names: too many to write", tuple(many.data.splinewright.value.points[0]))]
 
 
 def test_labels_have_the_colors_of_materials():

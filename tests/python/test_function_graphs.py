@@ -175,8 +175,23 @@ def test_functions_that_are_zero_are_named():
     (lambda: functions.of_knots(3, [0, 1, 2, 3]), "4 knots have no function of degree 3: at least 5 are needed"),
     (lambda: functions.of_knots(1, [0, 2, 1]), "must not decrease"), (lambda: functions.of_knots(1, [0, np.nan, 1]), "must not decrease"),
     (lambda: functions.of_knots(1, [1, 1, 1]), "all knots are equal"),
-    (lambda: functions.of_knots(1, range(100)), "64 are the most"), (lambda: functions.lagrange([0]), "at least 2"),
+    (lambda: functions.of_knots(1, range(2000)), "1000 are the most"), (lambda: functions.lagrange([0]), "at least 2"),
     (lambda: functions.natural([0, 1, 1]), "must increase"), (lambda: functions.hermite([]), "at least 2")))
 def test_what_makes_no_functions_is_refused(make, said):
     with pytest.raises(FAILURES.Refusal, match=said):
         make()
+
+
+@pytest.mark.parametrize('size', (1e-150, 1e-6, 1e150))
+@pytest.mark.parametrize('degree', (0, 1, 5, 9))
+def test_pictures_do_not_depend_on_the_unit_of_knots(size, degree):
+    knots = np.cumsum([0, 1, 0, 2, 0.5, 1, 1, 1, 3, 0, 1, 2, 1.0])
+    for one, other in zip(*(functions.picture(functions.of_knots(degree, scale * knots), 'sum', 2.0, 1.0, True) for scale in (1.0, size))):
+        assert np.allclose(one.curve.points, other.curve.points, rtol=0, atol=1e-12)
+
+
+def test_the_highest_degree_and_many_functions_are_drawn():
+    family = functions.of_knots(255, np.r_[np.zeros(256), np.ones(256)])
+    (graph,) = family.graph(np.ones(256))
+    assert np.allclose(graph.evaluate(np.linspace(0, 1, 9))[:, 1], 1.0, rtol=0, atol=1e-12)
+    assert len(functions.picture(functions.of_knots(3, range(400)), 'functions', 1.0, 1.0, False)) == 396

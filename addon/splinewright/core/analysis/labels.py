@@ -9,7 +9,7 @@ from ..shape import definition as definitions
 from ..shape import parameters
 from ..verbs import verbs
 
-#: Shapes with more labels show none.
+#: Shapes with more labels show how many there are instead.
 MOST = 400
 #: Of a graph so many points are looked at for its highest one.
 _SAMPLES = 65
@@ -26,10 +26,10 @@ class Label(NamedTuple):
 
 
 def of(definition):
-    """The Labels of a definition; none where there are too many."""
+    """The Labels of a definition; where there are too many one that says so."""
     is_picture = any(piece.name for piece in definition.pieces)
     found = _of_picture(definition) if is_picture else [*_of_points(definition), *_of_knots(definition)]
-    return found if len(found) <= MOST else []
+    return found if len(found) <= MOST else [Label("", "", f"{len(found):,} names: too many to write", found[0].point)]
 
 
 def _of_points(definition):
@@ -49,7 +49,7 @@ def _of_points(definition):
 
 
 def _of_knots(definition):
-    """u_i on curves at their inner knots and ends, those that coincide together."""
+    """u_i on curves at their inner knots, those that coincide together."""
     found = []
     for curve in verbs.curves_of(definition) if definition.has_curves else ():
         if not hasattr(curve, 'knots'):

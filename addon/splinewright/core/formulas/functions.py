@@ -12,7 +12,7 @@ from ..base.failures import Refusal
 from ..base.library import sc
 
 #: Most functions of a family.
-MOST = 64
+MOST = 1000
 #: What the parts of a picture that are no functions are called.
 AXIS, TICK, SUM = "axis", "tick", "sum"
 
@@ -62,7 +62,7 @@ def _periodic(curve):
     knots, numbers = np.array(unrolled.knots), np.arange(len(unrolled.points)) % count
     if count > MOST:
         raise Refusal(f"these are {count} functions: {MOST} are the most")
-    averages = np.array([knots[j + 1:j + degree + 1].mean() for j in range(len(numbers))])
+    averages = sc.basis.KnotVector(degree, knots).greville
 
     def graph(coefficients):
         whole = sc.NurbsCurve(degree, knots, _points(averages, np.asarray(coefficients)[numbers]))
@@ -107,7 +107,7 @@ def _splines(degree, knots):
     values, copies = np.unique(knots, return_counts=True)
     before, after = (max(degree + 1 - int(copies[end]), 0) for end in (0, -1))
     filled = np.concatenate([np.full(before, knots[0]), np.repeat(values, np.minimum(copies, degree + 1)), np.full(after, knots[-1])])
-    averages = np.array([filled[j + 1:j + degree + 1].mean() for j in range(len(filled) - degree - 1)])
+    averages = sc.basis.KnotVector(degree, filled).greville
 
     def graph(coefficients):
         values = np.concatenate([np.zeros(before), np.asarray(coefficients)[is_there], np.zeros(after)])

@@ -5,6 +5,7 @@ from ..verbs import verbs
 from . import wanted
 from .recipe import Parameter, Recipe, Result
 
+
 def _follow(inputs):
     return Result(inputs[0])
 
