@@ -147,8 +147,8 @@ GESTURES = Menu('gestures', "Blender's Gestures", (
              'curve.make_segment', 'curve.split', 'curve.handle_type_set'),
     *_native(('EDIT_MESH',), 'mesh.extrude_region_move', 'mesh.loopcut_slide', 'mesh.dissolve_edges', 'mesh.delete_edgeloop')),
     'HAND')
-#: The same while nets are edited.
-NET = Menu('net', "Control Points", (
+#: The same while nets are edited. Blender has a menu "Control Points" of its own there.
+NET = Menu('net', "NURBS", (
     Entry('leave_net', icon='CHECKMARK'), Entry('renew_net', icon='FILE_REFRESH'), NET_TOOLS, None, MODIFY, CORNERS, PIECES, CONVERT, None,
     *_others(SHAPES, 'weight_here'), *_others(CURVE, 'radius_here', 'tilt_here'),
     Menu('infinity', "Infinity", _others(SHAPES, 'point_to_infinity', 'point_from_infinity')), ANIMATION, SHOW, GESTURES), 'SURFACE_DATA')
