@@ -26,8 +26,8 @@ def added(**settings):
 
 def test_each_function_has_its_name_material_and_color():
     ob = added(degree=0, knot_values="0 1 2 3 4 5")
-    names = [f"N_{{{i},0}}" for i in range(5)] + [functions.AXIS] * 2 + [f"{functions.TICK} {number}" for number in (0, 1, 2, 3, 4, 5, 0, 1)]
-    assert names_of(ob) == names and slots_of(ob) == [3, 4, 5, 6, 7] + [0] * 10
+    names = [f"N_{{{i},0}}" for i in range(5)] + [functions.AXIS] * 2 + [f"{functions.TICK} {number}" for number in (0, 1, 2, 3, 4, 5, 1)]
+    assert names_of(ob) == names and slots_of(ob) == [3, 4, 5, 6, 7] + [0] * 9
     colors = [material.diffuse_color[:3] for material in ob.data.materials]
     assert len(colors) == 8 and len({tuple(color) for color in colors}) == 8
     assert ob.data.bevel_depth > 0
@@ -175,10 +175,10 @@ def axes_of(**settings):
 
 def test_axes_have_ticks_at_multiples_of_the_step():
     ob = axes_of(x_from=-0.5, x_to=2.0, y_from=0.0, y_to=1.0, step=0.5, tick=0.1, spatial=False, grid=False)
-    assert names_of(ob) == ["axis", "tick -0.5", "tick 0", "tick 0.5", "tick 1", "tick 1.5", "tick 2", "axis", "tick 0", "tick 0.5", "tick 1"]
+    assert names_of(ob) == ["axis", "tick -0.5", "tick 0", "tick 0.5", "tick 1", "tick 1.5", "tick 2", "axis", "tick 0.5", "tick 1"]
     value = ob.data.splinewright.value
     assert value[0].points.tolist() == [[-0.5, 0, 0], [2, 0, 0]] and value[7].points.tolist() == [[0, 0, 0], [0, 1, 0]]
-    assert value[4].points.tolist() == [[1, -0.1, 0], [1, 0, 0]] and value[9].points.tolist() == [[-0.1, 0.5, 0], [0, 0.5, 0]]
+    assert value[4].points.tolist() == [[1, -0.1, 0], [1, 0, 0]] and value[8].points.tolist() == [[-0.1, 0.5, 0], [0, 0.5, 0]]
     assert set(slots_of(ob)) == {0}
     require_exact(ob)
 
@@ -195,3 +195,9 @@ def test_axes_in_space_and_a_grid():
 def test_axes_that_cannot_be_are_refused(settings, said):
     with pytest.raises(RuntimeError, match=said):
         axes_of(**settings)
+
+
+def test_where_axes_cross_there_is_one_tick_and_never_none():
+    limits = {'y_from': -1.0, 'y_to': 1.0, 'step': 1.0, 'spatial': False, 'grid': False}
+    assert names_of(axes_of(x_from=0.0, x_to=1.0, **limits)).count("tick 0") == 1
+    assert names_of(axes_of(x_from=0.5, x_to=1.0, **limits)).count("tick 0") == 1, "the first axis has none at 0.5"

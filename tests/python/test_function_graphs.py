@@ -159,7 +159,7 @@ def test_a_picture_has_its_size_axes_and_names():
     family = functions.of_knots(1, [1, 2, 2, 4])
     graphs = functions.picture(family, 'functions', 6.0, 3.0, True)
     assert [graph.name for graph in graphs[:2]] == ["N_{0,1}", "N_{1,1}"]
-    assert [graph.name for graph in graphs[2:]] == [functions.AXIS] * 2 + ["tick 1", "tick 2", "tick 4", "tick 0", "tick 1"]
+    assert [graph.name for graph in graphs[2:]] == [functions.AXIS] * 2 + ["tick 1", "tick 2", "tick 4", "tick 1"]
     points = np.concatenate([graph.curve.points for graph in graphs])
     assert points[:, 0].max() == 6.0 and points[:, 1].max() == 3.0
     assert {graph.curve.points[0, 0] for graph in graphs if graph.name.startswith(functions.TICK)} >= {0.0, 2.0, 6.0}

@@ -25,6 +25,8 @@ def picture(ranges, steps, tick, has_grid):
         across = 1 if axis == 0 else 0
         for value in ticks[axis]:
             place = _at(base, axis, value)
+            if axis > 0 and value == base[axis] and base[0] in ticks[0]:
+                continue                # the first axis has a tick where they cross
             parts.append(Part(f"{TICK} {value:.6g}", line(_at(place, across, place[across] - tick), place)))
     return parts
 

@@ -225,12 +225,12 @@ def _within(curve, first, last):
 
 
 def _axes(places, scale, height):
-    """The parameter's axis with a tick at each place, and the axis of values at its start with ticks at 0 and 1. Names of ticks end in
-    their number."""
+    """The parameter's axis with a tick at each place, and the axis of values at its start with one at 1. Names of ticks end in their
+    number."""
     at = (places - places[0]) * scale
     tick = 0.03 * max(at[-1], height)
     ticks = [(u, line((x, -tick), (x, 0.0))) for u, x in zip(places, at)]
-    ticks += [(value, line((-tick, value * height), (0.0, value * height))) for value in (0.0, 1.0)]
+    ticks.append((1.0, line((-tick, height), (0.0, height))))
     axes = [line((0.0, 0.0), (at[-1], 0.0)), line((0.0, 0.0), (0.0, height))]
     return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number:.6g}", one) for number, one in ticks]
 
