@@ -201,3 +201,8 @@ def test_where_axes_cross_there_is_one_tick_and_never_none():
     limits = {'y_from': -1.0, 'y_to': 1.0, 'step': 1.0, 'spatial': False, 'grid': False}
     assert names_of(axes_of(x_from=0.0, x_to=1.0, **limits)).count("tick 0") == 1
     assert names_of(axes_of(x_from=0.5, x_to=1.0, **limits)).count("tick 0") == 1, "the first axis has none at 0.5"
+
+
+def test_a_function_below_the_axis_has_its_label_there():
+    found = dict(labels_of(added(family='hermite', knot_values="0 1", show='functions', width=1.0, height=1.0)))
+    assert found["H_3"] == pytest.approx((2 / 3, -4 / 27, 0.0), abs=0.01)

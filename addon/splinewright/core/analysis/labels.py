@@ -11,7 +11,7 @@ from ..verbs import verbs
 
 #: Shapes with more labels show how many there are instead.
 MOST = 400
-#: Of a graph so many points are looked at for its highest one.
+#: Of a graph this number of points are looked at for the one farthest from 0.
 _SAMPLES = 65
 
 
@@ -78,7 +78,7 @@ def _of_picture(definition):
         elif piece.name.endswith("}") and piece.name not in named:
             named.add(piece.name)
             base, below = piece.name[:-1].split("_{")
-            found.append(Label(base, below, "", _highest(curve), piece.name))
+            found.append(Label(base, below, "", _farthest(curve), piece.name))
     return found
 
 
@@ -88,6 +88,7 @@ def _of_level(part, level, points):
     return [Label(name, "".join(map(str, range(i, i + level + 1))), "", tuple(point.tolist()), part) for i, point in enumerate(points)]
 
 
-def _highest(curve):
+def _farthest(curve):
+    """Where a graph is farthest from 0."""
     points = curve.evaluate(np.linspace(*curve.domain, _SAMPLES))
-    return tuple(points[points[:, 1].argmax()].tolist())
+    return tuple(points[np.abs(points[:, 1]).argmax()].tolist())
