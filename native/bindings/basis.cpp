@@ -169,10 +169,8 @@ struct BoundSamples {
 /// Numbers that nobody can write into, whatever is asked of the array: bytes hold them.
 py::array frozen_numbers(const std::vector<double>& numbers) {
   const py::bytes held(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double));
-  py::array_t<double> array({static_cast<py::ssize_t>(numbers.size())},
-                            reinterpret_cast<const double*>(PyBytes_AS_STRING(held.ptr())), held);
-  array.attr("setflags")(py::arg("write") = false);
-  return array;
+  const auto* first = reinterpret_cast<const double*>(PyBytes_AS_STRING(held.ptr()));
+  return view_of_numbers(std::span(first, numbers.size()), held);
 }
 
 }  // namespace

@@ -281,7 +281,11 @@ def test_refusals_are_told_from_mistakes():
 
 
 def test_new_arrays_of_one_axis_come_from_new_numbers():
-    """The constructor of py::array_t that takes a count makes arrays of stride 0 of some pybind11 and NumPy."""
-    for path in sorted((NATIVE / "bindings").glob("*.cpp")):
+    """The constructors of py::array_t that take a count, which one number in braces is, too, make arrays of stride 0 of some pybind11 and
+    NumPy."""
+    named = re.compile(r"array_t<[\w:]+>(?: \w+)?\((?:count|overlaps|size|static_cast<)")
+    in_braces = re.compile(r"array_t<[\w:]+>(?: \w+)?[({]\{(?:[^{},<]|<[^<>]*>)*\}(?!,\s*\{)")
+    assert in_braces.search("py::array_t<double> array({static_cast<py::ssize_t>(numbers.size())},")
+    for path in sorted((NATIVE / "bindings").glob("*.[ch]pp")):
         text = path.read_text()
-        assert not re.search(r"array_t<\w+>(?: \w+)?\((?:count|overlaps|size|static_cast<)", text), path
+        assert not named.search(text) and not in_braces.search(text), path
