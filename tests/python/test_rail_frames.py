@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import splinecore as sc
+from addon_core import core
 from shapes import circle, closed_cubic, cubic, hermite_chain
 from splinecore import build
 
@@ -103,3 +104,15 @@ def test_size_does_not_matter(size):
 def test_what_is_wrong_is_said(call, words):
     with pytest.raises(sc.InvalidShape, match=words):
         call()
+
+
+@pytest.mark.parametrize("rail", [AROUND, AROUND.clamped(), BENT], ids=["periodic", "closed", "open"])
+def test_sections_of_the_addon_stay_where_they_are_drawn(rail):
+    at = rail.domain[0] + np.array([0.2, 0.55]) * np.ptp(rail.domain)
+    drawn = [sc.BezierCurve(rail.evaluate(place) + 0.05 * rail.frames(place)[[1, 2, 1]] * [[-1], [1], [1]]) for place in at]
+    moved, places, order = core("surfaces.rails").along(rail, drawn, "minimal")
+    swept = build.sweep(rail, moved, at=places, tolerance=1e-7).value
+    u = np.linspace(0, 1, 7)
+    for place, number in zip(places, order):
+        found, wanted = swept.isocurve("v", place).evaluate(u), drawn[number].evaluate(u)
+        assert min(np.abs(one - wanted).max() for one in (found, found[::-1])) < 1e-5  # a sweep may run sections the other way
