@@ -1,9 +1,8 @@
-#include <algorithm>
-#include <cctype>
-
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "classes.hpp"
+#include "join_arguments.hpp"
+#include "joints.hpp"
 #include "long_calls.hpp"
 #include "result_pickles.hpp"
 #include "rooms.hpp"
@@ -41,29 +40,6 @@ AnyPatch patch_of(const py::object& value, const char* name) {
   std::optional<AnyPatch> patch;
   if (unwrap(value, patch)) return *patch;
   throw py::type_error(std::string(name) + " must be a patch, not " + type_name(value));
-}
-
-PatchSmoothness smoothness_of(const py::object& value) {
-  const std::pair<const char*, PatchSmoothness> known[] = {{"C0", PatchSmoothness::c0}, {"C1", PatchSmoothness::c1},
-                                                           {"G1", PatchSmoothness::g1}, {"C2", PatchSmoothness::c2},
-                                                           {"G2", PatchSmoothness::g2}};
-  if (py::isinstance<py::str>(value)) {
-    std::string word = value.cast<std::string>();
-    if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
-    for (const auto& [name, smoothness] : known) {
-      if (word == name) return smoothness;
-    }
-  }
-  throw InvalidShape("continuity = " + std::string(py::repr(value)) + " is not 'C0', 'C1', 'G1', 'C2' or 'G2'");
-}
-
-JoinMoves moves_of(const py::object& value) {
-  const std::pair<const char*, JoinMoves> known[] = {
-      {"second", JoinMoves::second}, {"first", JoinMoves::first}, {"both", JoinMoves::both}};
-  for (const auto& [name, moves] : known) {
-    if (py::isinstance<py::str>(value) && value.cast<std::string>() == name) return moves;
-  }
-  throw InvalidShape("moves = " + std::string(py::repr(value)) + " is not 'second', 'first' or 'both'");
 }
 
 py::object as_bezier(const NurbsPatch& patch) {
@@ -200,6 +176,8 @@ void bind_patch_joins(py::module_& module) {
   bind_continuity_to<BezierPatch>(module, "BezierPatch");
   bind_continuity_to<HermitePatch>(module, "HermitePatch");
   bind_join(module);
+  py::module_ build = module.attr("build");
+  bind_joints(build);
 }
 
 }  // namespace bindings

@@ -13,6 +13,7 @@
 #include "rooms.hpp"
 #include "splinecore/measure/arc_length.hpp"
 #include "splinecore/surface/pipe.hpp"
+#include "splinecore/surface/rail_matrices.hpp"
 #include "splinecore/surface/sweep.hpp"
 
 namespace bindings {
@@ -57,6 +58,58 @@ std::optional<NurbsCurve> scale_of(const py::object& value) {
   return any_curve(value, "scale");
 }
 
+RailFrame frame_of(const py::object& value) {
+  return chosen<RailFrame>(value, "frame", {{"minimal", RailFrame::minimal},
+                                            {"upright", RailFrame::upright},
+                                            {"parallel", RailFrame::parallel}});
+}
+
+/// (…, 4, 4) of as many parameters, which map columns.
+py::array_t<double> matrices_array(const std::vector<glm::dmat4>& matrices, const Doubles& at) {
+  Shape shape(at.shape(), at.shape() + at.ndim());
+  shape.insert(shape.end(), {4, 4});
+  py::array_t<double> out(shape);
+  double* entry = out.mutable_data();
+  for (const glm::dmat4& matrix : matrices) {
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 4; ++column) *entry++ = matrix[column][row];
+    }
+  }
+  return out;
+}
+
+/// Parameters of a rail. @throws InvalidShape if one lies outside.
+std::span<const double> places_on(const NurbsCurve& rail, const Doubles& at) {
+  require_inside(rail.knot_vector(), at, splinecore::Side::right, "at");
+  return {at.data(), static_cast<std::size_t>(at.size())};
+}
+
+void bind_rail_frames(py::module_& build) {
+  build.def("rail_frames", [](const py::object& rail, const py::object& at, const py::object& frame, const py::object& up,
+                              const py::object& start, const py::object& cancel) {
+              const NurbsCurve& along = any_curve(rail, "rail");
+              const Doubles places = real_array(at, "at");
+              SweepOptions options;
+              options.frame = frame_of(frame);
+              options.up = vector_of(up, "up");
+              if (!start.is_none()) options.start = vector_of(start, "start");
+              const std::span<const double> given = places_on(along, places);
+              return matrices_array(unlocked([&] { return splinecore::rail_matrices(along, given, options); }, cancel), places);
+            }, py::arg("rail"), py::arg("at"), py::kw_only(), py::arg("frame") = "minimal",
+            py::arg("up") = py::make_tuple(0.0, 0.0, 1.0), py::arg("start") = py::none(), py::arg("cancel") = py::none());
+  build.def("two_rail_frames", [](const py::object& rail, const py::object& second, const py::object& at, const py::object& up,
+                                  const py::object& cancel) {
+              const NurbsCurve& along = any_curve(rail, "rail");
+              const NurbsCurve& other = any_curve(second, "second");
+              const Doubles places = real_array(at, "at");
+              TwoRailOptions options;
+              if (!up.is_none()) options.up = vector_of(up, "up");
+              const std::span<const double> given = places_on(along, places);
+              return matrices_array(unlocked([&] { return splinecore::rail_matrices(along, other, given, options); }, cancel), places);
+            }, py::arg("rail"), py::arg("second"), py::arg("at"), py::kw_only(), py::arg("up") = py::none(),
+            py::arg("cancel") = py::none());
+}
+
 void bind_two_rails(py::module_& build) {
   build.def("sweep_two_rails", [](const py::object& rail, const py::object& second, const py::object& sections, const py::object& at,
                                   const py::object& height, const py::object& up, const py::object& tolerance,
@@ -98,9 +151,7 @@ void bind_rails(py::module_& module) {
               const NurbsCurve& along = any_curve(rail, "rail");
               const std::vector<RailSection> given = sections_of(sections, at, along);
               SweepOptions options;
-              options.frame = chosen<RailFrame>(frame, "frame", {{"minimal", RailFrame::minimal},
-                                                                 {"upright", RailFrame::upright},
-                                                                 {"parallel", RailFrame::parallel}});
+              options.frame = frame_of(frame);
               options.up = vector_of(up, "up");
               if (!start.is_none()) options.start = vector_of(start, "start");
               options.end_scale = real(end_scale, "end_scale");
@@ -114,6 +165,7 @@ void bind_rails(py::module_& module) {
             py::arg("scales") = py::none(), py::arg("twist") = 0.0, py::arg("tolerance") = py::none(), py::arg("scale") = py::none(),
             py::arg("cancel") = py::none());
   bind_two_rails(build);
+  bind_rail_frames(build);
   bind_pipe(build);
 }
 

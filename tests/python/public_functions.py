@@ -70,6 +70,18 @@ FUNCTIONS = {
         sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), sc.BezierCurve([xyz(at, 0, 0, 2), xyz(at, 1, 1, 2), xyz(at, 2, 0, 2)]),
         sc.BezierCurve([xyz(at, 0, 0.1 * (0 < k < at.degree), 2 * k / at.degree) for k in range(at.degree + 1)]),
         tolerance=1e-2 * at.size),
+    "build.rail_frames": lambda at: [build.rail_frames(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), (0, 0.5, 1), frame=frame)
+                                     for frame in ("minimal", "upright", "parallel")],
+    "build.two_rail_frames": lambda at: build.two_rail_frames(
+        sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), sc.BezierCurve([xyz(at, 0, 0, 2), xyz(at, 1, 1, 2), xyz(at, 2, 0, 2)]), 0.5),
+    "build.joint_points": lambda at: [build.joint_points(
+        [[*xyz(at, 0), 1], [*xyz(at, 1, 1), 2], [*xyz(at, 2, 0), 1]], at.degree + 1, (1, 2),
+        [[*xyz(at, 0), 1], [*xyz(at, -1, 1), 1], [*xyz(at, -2, 3), 2]], 2, (1, 1), word, "both") for word in ("C0", "G1", "C1", "G2", "C2")],
+    "build.joint_equations": lambda at: build.joint_equations(
+        [[[*xyz(at, 0), 1]], [[*xyz(at, 1), 1]], [[*xyz(at, 2), 1]]], at.degree + 1, (1, 2),
+        [[[*xyz(at, 0), 1]], [[*xyz(at, -1), 1]], [[*xyz(at, -2), 1]]], at.degree + 1, (1, 2), "C2"),
+    "build.least_motion": lambda at: build.least_motion(
+        [([[0, 1, 2]], [[[1, -2, 1]]])], [xyz(at, 0), xyz(at, 1), xyz(at, 0)], [True, False, True]),
     "build.pipe": lambda at: build.pipe(sc.BezierCurve([xyz(at, 0), xyz(at, 1, 1), xyz(at, 2, 0)]), 0.1 * at.size, caps="round",
                                         tolerance=1e-2 * at.size),
     "build.offset_patch": lambda at: build.offset_patch(build.sphere(xyz(at, 1), at.size), at.size),

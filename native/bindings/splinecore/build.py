@@ -28,8 +28,11 @@ helix = _build.helix
 join_beziers = _build.join_beziers
 join_curves = _build.join_curves
 join_patches = _build.join_patches
+joint_equations = _build.joint_equations
+joint_points = _build.joint_points
 kochanek_bartels = _build.kochanek_bartels
 lagrange_evaluate = _build.lagrange_evaluate
+least_motion = _build.least_motion
 cap = _build.cap
 corner_counts = _build.corner_counts
 loft = _build.loft
@@ -43,6 +46,7 @@ pipe = _build.pipe
 plane = _build.plane
 polygon_of_chain = _build.polygon_of_chain
 polynomial_through = _build.polynomial_through
+rail_frames = _build.rail_frames
 revolve = _build.revolve
 ruled = _build.ruled
 sphere = _build.sphere
@@ -51,6 +55,7 @@ sweep_two_rails = _build.sweep_two_rails
 thicken = _build.thicken
 torus = _build.torus
 touching_circle = _build.touching_circle
+two_rail_frames = _build.two_rail_frames
 
 __all__ = [
     "blend",
@@ -81,8 +86,11 @@ __all__ = [
     "join_beziers",
     "join_curves",
     "join_patches",
+    "joint_equations",
+    "joint_points",
     "kochanek_bartels",
     "lagrange_evaluate",
+    "least_motion",
     "loft",
     "match_patch",
     "network",
@@ -94,6 +102,7 @@ __all__ = [
     "plane",
     "polygon_of_chain",
     "polynomial_through",
+    "rail_frames",
     "revolve",
     "ruled",
     "sphere",
@@ -102,4 +111,5 @@ __all__ = [
     "thicken",
     "torus",
     "touching_circle",
+    "two_rail_frames",
 ]

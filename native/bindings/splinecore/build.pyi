@@ -53,8 +53,11 @@ __all__ = [
     "join_beziers",
     "join_curves",
     "join_patches",
+    "joint_equations",
+    "joint_points",
     "kochanek_bartels",
     "lagrange_evaluate",
+    "least_motion",
     "loft",
     "match_patch",
     "network",
@@ -66,6 +69,7 @@ __all__ = [
     "plane",
     "polygon_of_chain",
     "polynomial_through",
+    "rail_frames",
     "revolve",
     "ruled",
     "sphere",
@@ -74,6 +78,7 @@ __all__ = [
     "thicken",
     "torus",
     "touching_circle",
+    "two_rail_frames",
 ]
 
 _Parameterization = Literal["uniform", "centripetal", "chordal"] | ArrayLike
@@ -310,6 +315,172 @@ def polygon_of_chain(
     References
     ----------
     Lecture row S8.
+    """
+def joint_equations(
+    first: ArrayLike,
+    first_degree: SupportsIndex,
+    first_spans: ArrayLike,
+    second: ArrayLike,
+    second_degree: SupportsIndex,
+    second_spans: ArrayLike,
+    continuity: Literal["C0", "G1", "C1", "G2", "C2"] = "G1",
+) -> NDArray[np.float64] | None:
+    """Find what continuity across a joint or seam asks of where the control points beside it lie.
+
+    While weights stay, and the numbers by which one side continues the other, points may move by whatever
+    makes the sum of factors times motions 0 in every column. The numbers are read from points for which
+    the continuity holds.
+
+    Parameters
+    ----------
+    first : array_like
+        The first three rows of points (3, n, 4) of the first side, counted from the edge, in columns
+        across it: x, y, z and weight. A curve has one column; of degree 1 the third point may be any.
+    first_degree : int
+        Its degree across.
+    first_spans : array_like
+        How far its next two knots are from the edge, both above 0.
+    second : array_like
+        The first three rows of points (3, n, 4) of the second side, in the same columns.
+    second_degree : int
+        Its degree across.
+    second_spans : array_like
+        How far its next two knots are from the edge, both above 0.
+    continuity : {'C0', 'G1', 'C1', 'G2', 'C2'}, default 'G1'
+        'C0', 'G1', 'C1', 'G2' or 'C2'.
+
+    Returns
+    -------
+    numpy.ndarray or None
+        Factors (orders, n, 6): for each derivative and column those of three points of the first side
+        and three of the second. None where the continuity does not hold, for C1 and C2 also where
+        weights of both sides differ at the edge, or where it lies at infinity.
+
+    Raises
+    ------
+    InvalidShape
+        If points, degrees or spans are not as said.
+
+    References
+    ----------
+    Farin 2002; lecture rows S18, S21.
+
+    Examples
+    --------
+    >>> first = [[(2, 0, 0, 1)], [(1, 0, 0, 1)], [(0, 0, 0, 1)]]
+    >>> second = [[(2, 0, 0, 1)], [(3, 0, 0, 1)], [(4, 0, 0, 1)]]
+    >>> sc.build.joint_equations(first, 2, (1, 1), second, 2, (1, 1), "C1") / 2
+    array([[[-1.,  1.,  0., -1.,  1.,  0.]]])
+    """
+def least_motion(
+    equations: Sequence[tuple[ArrayLike, ArrayLike]],
+    moved: ArrayLike,
+    free: ArrayLike,
+    *,
+    cancel: Callable[[], object] | None = None,
+) -> NDArray[np.float64] | None:
+    """Move points by the least sum of squares so that linear equations hold again after some were moved.
+
+    Parameters
+    ----------
+    equations : sequence of tuple (array_like, array_like)
+        Pairs of the numbers of points (n, k), in columns, and factors (orders, n, k): in each column,
+        for each order, the sum of factors times motions is to be 0.
+    moved : array_like
+        How far points were moved already (m, 3).
+    free : array_like
+        Which points may move on (m,).
+    cancel : callable, optional
+        A function without arguments that is called now and then; a true result ends the call.
+
+    Returns
+    -------
+    numpy.ndarray or None
+        How far points move beside that (m, 3). None where no motion meets the equations.
+
+    Raises
+    ------
+    InvalidShape
+        If there is no point of some number, or counts differ.
+    Cancelled
+        If `cancel` returned true.
+
+    Examples
+    --------
+    >>> middle = ([[0, 1, 2]], [[[1, -2, 1]]])
+    >>> sc.build.least_motion([middle], [(0, 0, 0), (0, 3, 0), (0, 0, 0)], [True, False, True])
+    array([[0., 3., 0.],
+           [0., 0., 0.],
+           [0., 3., 0.]])
+    """
+def joint_points(
+    first: ArrayLike,
+    first_degree: SupportsIndex,
+    first_spans: ArrayLike,
+    second: ArrayLike,
+    second_degree: SupportsIndex,
+    second_spans: ArrayLike,
+    continuity: Literal["C0", "G1", "C1", "G2", "C2"] = "G1",
+    moves: Literal["second", "first", "both"] = "second",
+    *,
+    first_moved: Sequence[bool] | None = None,
+    second_moved: Sequence[bool] | None = None,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Move the control points beside a joint of two curves so that one continues the other smoothly.
+
+    A curve leaves a joint by its first three control points, counted from there: at an end of a clamped
+    curve, or on both sides of a knot that is as often in the list as the degree. Weights stay, and so do
+    points that need not move, to the last digit. G1 and G2 keep the speed of each side, and how that
+    changes.
+
+    Parameters
+    ----------
+    first : array_like
+        The first points (2 or 3, 4) of the curve before the joint, counted backwards from there: x,
+        y, z and weight. Where the weight is 0, x, y and z are a direction.
+    first_degree : int
+        Its degree.
+    first_spans : array_like
+        How far its next two knots are from the joint, both above 0.
+    second : array_like
+        The first points (2 or 3, 4) of the curve behind the joint.
+    second_degree : int
+        Its degree.
+    second_spans : array_like
+        How far its next two knots are from the joint, both above 0.
+    continuity : {'C0', 'G1', 'C1', 'G2', 'C2'}, default 'G1'
+        'C0' for a common point, 'G1' for a common tangent, 'C1' for equal first derivatives, 'G2' for
+        a common curvature, 'C2' for equal first two derivatives.
+    moves : {'second', 'first', 'both'}, default 'second'
+        Which side moves.
+    first_moved : sequence of bools, optional
+        Which of the points were moved by hand. An end that was takes the joint along; other points
+        stay where they were put, unless the continuity moves them.
+    second_moved : sequence of bools, optional
+        The same of the second side.
+
+    Returns
+    -------
+    tuple (numpy.ndarray, numpy.ndarray)
+        The points of both sides, in the same order.
+
+    Raises
+    ------
+    InvalidShape
+        If the joint lies at infinity, a side that moves has too low a degree, or points or spans are
+        not as said.
+
+    References
+    ----------
+    The NURBS Book, formulas 3.9 and 4.8; lecture rows S18, S21.
+
+    Examples
+    --------
+    >>> first = [(2, 0, 0, 1), (1, 0, 0, 1), (0, 1, 0, 1)]
+    >>> second = [(2, 0, 0, 1), (2, 1, 0, 1), (4, 2, 0, 1)]
+    >>> _, moved = sc.build.joint_points(first, 2, (1, 1), second, 2, (1, 1), "C1")
+    >>> moved[1]
+    array([3., 0., 0., 1.])
     """
 def join_beziers(
     curves: Sequence[BezierCurve], parameters: ArrayLike | None = None, tolerance: float = 0.0
@@ -1843,6 +2014,106 @@ def extend_patch(
     >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 3, 0))
     >>> round(sc.build.extend_patch(plane, "u_end", 1.0).area(), 9)
     9.0
+    """
+def rail_frames(
+    rail: _Curve,
+    at: ArrayLike,
+    *,
+    frame: Literal["minimal", "upright", "parallel"] = "minimal",
+    up: ArrayLike = (0, 0, 1),
+    start: ArrayLike | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> NDArray[np.float64]:
+    """Find where `sweep` puts sections on a rail.
+
+    Each matrix maps a section that is given in the frame of the rail to its place; its inverse maps a
+    section that lies there to the frame. A closed rail is taken as `sweep` takes it: smoothly around, or
+    from its first corner on.
+
+    Parameters
+    ----------
+    rail : curve
+        A curve of any kind.
+    at : array_like
+        Parameters (...,) of the rail.
+    frame : {'minimal', 'upright', 'parallel'}, default 'minimal'
+        As of `sweep`.
+    up : array_like, default (0, 0, 1)
+        Direction (3,) for upright frames.
+    start : array_like, optional
+        Direction (3,) of x at the start, for minimal frames.
+    cancel : callable, optional
+        A function without arguments that is called now and then; a true result ends the call.
+
+    Returns
+    -------
+    numpy.ndarray
+        Matrices (..., 4, 4) whose columns are x, y, z of the frame and the point of the rail.
+
+    Raises
+    ------
+    InvalidShape
+        If a parameter lies outside, the rail is a point, or it runs along `up`.
+    Cancelled
+        If `cancel` returned true.
+
+    References
+    ----------
+    Lecture row S20.
+
+    Examples
+    --------
+    >>> rail = sc.BezierCurve([(0, 0, 0), (0, 0, 3)])
+    >>> sc.build.rail_frames(rail, 0.5)[:, 3]
+    array([0. , 0. , 1.5, 1. ])
+    """
+def two_rail_frames(
+    rail: _Curve,
+    second: _Curve,
+    at: ArrayLike,
+    *,
+    up: ArrayLike | None = None,
+    cancel: Callable[[], object] | None = None,
+) -> NDArray[np.float64]:
+    """Find where `sweep_two_rails` puts sections between two rails.
+
+    x of a frame has length 1 and points from the first rail to the second one, so that a section there
+    reaches from 0 to their distance.
+
+    Parameters
+    ----------
+    rail : curve
+        A curve of any kind.
+    second : curve
+        A curve of any kind that runs the same way.
+    at : array_like
+        Parameters (...,) of the first rail; the second one is taken at the same part of its domain.
+    up : array_like, optional
+        Direction (3,) that y stays near; by default it is at right angles to the rails.
+    cancel : callable, optional
+        A function without arguments that is called now and then; a true result ends the call.
+
+    Returns
+    -------
+    numpy.ndarray
+        Matrices (..., 4, 4) whose columns are x, y, z of the frame and the point of the first rail.
+
+    Raises
+    ------
+    InvalidShape
+        If a parameter lies outside, or the rails meet or run against each other there.
+    Cancelled
+        If `cancel` returned true.
+
+    References
+    ----------
+    Lecture row S20.
+
+    Examples
+    --------
+    >>> rails = [sc.BezierCurve([(0, y, 0), (4, y, 0)]) for y in (0, 2)]
+    >>> sc.build.two_rail_frames(*rails, 0.5)[:3, 0]
+    array([0., 1., 0.])
     """
 def match_patch(
     patch: _Patch,

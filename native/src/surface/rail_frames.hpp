@@ -1,9 +1,11 @@
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <span>
 #include <vector>
 
 #include "measure/carried_frames.hpp"
+#include "meet/near_space.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/surface/sweep.hpp"
 
@@ -37,6 +39,12 @@ class RailPlaces {
 /// In the directions of a frame, from its place.
 inline glm::dvec3 in_frame(const MovingFrame& frame, const glm::dvec3& q) {
   return q.x * frame.normal + q.y * frame.binormal + q.z * frame.tangent;
+}
+
+/// What puts a section there, whose place is seen in a space of its own: x, y, z and the point as columns.
+inline glm::dmat4 matrix_of(const RailPlace& place, const NearSpace& space) {
+  const auto& [tangent, normal, binormal] = place.frame;
+  return {glm::dvec4(normal, 0.0), glm::dvec4(binormal, 0.0), glm::dvec4(tangent, 0.0), glm::dvec4(space.leave(place.point), 1.0)};
 }
 
 }  // namespace splinecore

@@ -19,6 +19,7 @@
 #include "meet/near_space.hpp"
 #include "meet/said_outside.hpp"
 #include "numbers_along.hpp"
+#include "prepared_rail.hpp"
 #include "rail_frames.hpp"
 #include "rail_sections.hpp"
 #include "scale_along.hpp"
@@ -47,9 +48,7 @@ void require_options(const SweepOptions& options) {
     throw InvalidShape("twist = " + text_of(options.twist) + ": at most " + std::to_string(kMostQuarters / 4) +
                        " turns are expected");
   }
-  if (options.frame == RailFrame::upright && !(is_finite(options.up) && length_of(options.up) > 0.0)) {
-    throw InvalidShape("the upright direction is zero or not finite");
-  }
+  require_upright(options);
 }
 
 /// Angles at which a kink moves no point of a section by what is seen of a tolerance.
@@ -65,15 +64,6 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
     scale *= std::ranges::max(options.scale->points(), {}, [](const glm::dvec4& p) { return p.x; }).x;
   }
   return reach * scale > 0.0 ? kKinkShare * tolerance / (reach * scale) : 0.0;
-}
-
-/// A rail that closes smoothly as a periodic one, one with corners from one of them on.
-/// @param negligible  angles of corners that are none
-NurbsCurve prepared(const NurbsCurve& rail, double negligible) {
-  if (!closes(rail)) return clamped(rail);
-  const NurbsCurve round = made_periodic(rail).value;
-  const std::vector<double> corners = corners_above(round, negligible);
-  return corners.empty() ? round : clamped(with_seam_at(round, corners.front()));
 }
 
 bool is_straight(const NurbsCurve& rail) {
@@ -326,7 +316,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, std::span<const RailSect
   const double negligible = negligible_angle(given, wanted, tolerance);
   std::optional<ScaleAlong> scale;
   if (wanted.scale) scale.emplace(*wanted.scale, rail.domain(), closes(rail));
-  const NurbsCurve whole = prepared(rail, negligible);
+  const NurbsCurve whole = prepared_rail(rail, negligible);
   const NurbsCurve near = whole.with_points(space.enter(whole.points()));
   const bool begins_elsewhere = near.domain().start != rail.domain().start;
   SweepOptions options = wanted;

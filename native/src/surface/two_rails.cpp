@@ -24,6 +24,7 @@
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/measure/curve_frame.hpp"
 #include "splinecore/meet/nearest.hpp"
+#include "splinecore/surface/rail_matrices.hpp"
 #include "splinecore/surface/sweep.hpp"
 
 namespace splinecore {
@@ -253,6 +254,18 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   constexpr double kRounding = 0x1p-40;
   const double off_rails = between.gap > kRounding ? between.gap * largest_distance(rails.first, rails.second) : 0.0;
   return {near.with_points(space.leave(near.points())), space.length(rows.error + off_rails)};
+}
+
+std::vector<glm::dmat4> rail_matrices(const NurbsCurve& rail, const NurbsCurve& second, std::span<const double> at,
+                                      const TwoRailOptions& options) {
+  require_options(options);
+  const NearSpace space(together(rail.points(), second.points()));
+  const Rails rails = prepared(rail, second, space);
+  std::vector<glm::dmat4> matrices;
+  for (const PlaceBetween& one : places_between(rails, at, rails.first.domain(), options)) {
+    matrices.push_back(matrix_of(one.place, space));
+  }
+  return matrices;
 }
 
 }  // namespace splinecore

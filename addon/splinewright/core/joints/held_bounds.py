@@ -7,7 +7,7 @@ import numpy as np
 
 from ..base.library import sc
 from . import held as all_held
-from . import held_least, held_strips
+from . import held_strips
 
 #: How far a point that goes along may go, by how far the hand moved one, or where it moved none, by what lies beside a seam.
 REACH = 10.0
@@ -125,7 +125,7 @@ class _Work:
             equations.append(one._replace(rows=tied[one.rows]))
         is_fixed = np.zeros(len(tied), bool)
         np.logical_or.at(is_fixed, tied, ~is_free)
-        motion = held_least.least_motion(equations, moved, ~is_fixed)
+        motion = sc.build.least_motion(equations, moved, ~is_fixed)
         if motion is None:
             return None
         pool = self._definition.pool.copy()

@@ -1,7 +1,6 @@
 """Joints of curves that are made smooth again whenever a side of theirs has moved (lecture rows S18, S21).
 
-Of each side the joint is the first of at most three rows of the pool, whose weights stay: the rest is what they make of the
-first two derivatives there. (Piegl and Tiller, The NURBS Book, formulas 3.9 and 4.8.)
+Of each side the joint is the first of at most three rows of the pool, whose weights stay.
 """
 
 from typing import NamedTuple
@@ -9,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base.failures import Refusal
+from ..base.library import sc
 
 #: Where a piece has a joint: at its ends, or a number, a knot inside it at which only its points meet.
 ENDS = ('start', 'end')
@@ -118,128 +118,10 @@ def made_to_hold(definition, pool, held, led):
     """
     require_possible(definition, held)
     first, second = sides_of(definition, held)
-    moves = held.moves
-    joint = _joint(pool, first.rows[0], second.rows[0], moves, led)
-    scale = _scale(pool, joint, (first, second))
-    order = int(held.smoothness[1])
-    leaving = [_Leaving(pool, side, joint, scale, led, order) for side in (first, second)]
-    if order:
-        if held.smoothness[0] == 'C':
-            _parametric(*leaving, second.spans[0] / first.spans[0], moves, order)
-        else:
-            _geometric(*leaving, moves, order)
-    rows = np.concatenate([side.rows for side in (first, second)])
-    return rows, np.concatenate([side.points(joint, scale) for side in leaving])
-
-
-def _joint(pool, a, b, moves, led):
-    """(3,): where both sides are to begin."""
-    if (a in led) != (b in led):
-        return pool[a if a in led else b, :3].copy()
-    return {'second': pool[a, :3].copy(), 'first': pool[b, :3].copy(), 'both': pool[a, :3] / 2 + pool[b, :3] / 2}[moves]
-
-
-def _scale(pool, joint, sides):
-    """What lengths are divided by, so that none of them overflows or vanishes."""
-    rows = pool[np.concatenate([side.rows for side in sides])]
-    away = np.abs(rows[:, :3] - np.where(rows[:, 3:] != 0, joint, 0.0)).max()
-    return float(away) if away > 0 else 1.0
-
-
-class _Leaving:
-    """The first two derivatives of a side, its first span taken for 1, from homogeneous points about the joint."""
-
-    def __init__(self, pool, side, joint, scale, led, order):
-        rows = pool[side.rows]
-        self.weights, self.degree = rows[:, 3], side.degree
-        self.count = min(len(rows), side.degree + 1)
-        self.second_span = side.spans[1] / side.spans[0]
-        start = rows[0, :3]
-        follows = np.array([i <= order and row not in led for i, row in enumerate(side.rows)]) & (self.weights != 0)
-        places = rows[:, :3] + np.where(follows[:, None], joint - start, 0.0)
-        finite = self.weights[:, None] != 0
-        self.places = np.where(finite, (places - joint) * self.weights[:, None], rows[:, :3]) / scale
-        self.places[0] = 0.0
-        self._before, self._rows = self.places.copy(), np.column_stack([places, self.weights])
-        self._rows[0, :3] = joint
-        self.read()
-
-    def read(self):
-        """The derivatives of what the points are."""
-        p, w = self.degree, self.weights
-        points = np.column_stack([self.places, w])
-        one = p * (points[1] - points[0])
-        two = np.zeros(4)
-        if self.count > 2:
-            two = p * (p - 1) * ((points[2] - points[1]) / self.second_span - (points[1] - points[0]))
-        self.slope, self.bend = one[3], two[3]
-        self.velocity = one[:3] / w[0]
-        self.acceleration = (two[:3] - 2 * self.slope * self.velocity) / w[0]
-
-    def set(self, velocity, acceleration=None):
-        """Give the points these derivatives; where no second is given, those after the first stay."""
-        p, w = self.degree, self.weights
-        one = w[0] * velocity
-        self.places[1] = one / p
-        if acceleration is not None:
-            two = w[0] * acceleration + 2 * self.slope * velocity
-            self.places[2] = self.places[1] + self.second_span * (two / (p * (p - 1)) + self.places[1])
-        self.read()
-
-    def points(self, joint, scale):
-        """(k, 4) rows of the pool; to the last digit as they were where nothing moved them."""
-        rows = self._rows.copy()
-        for i in range(1, len(rows)):
-            if (self.places[i] != self._before[i]).any():
-                place = self.places[i] * scale
-                rows[i, :3] = joint + place / self.weights[i] if self.weights[i] else place
-        return rows
-
-
-def _parametric(first, second, ratio, moves, order):
-    """C1 and C2. ratio: the first span of the second side by that of the first."""
-    velocities = -first.velocity * ratio, second.velocity
-    accelerations = first.acceleration * ratio**2, second.acceleration
-    velocity, acceleration = (_agreed(pair, moves) for pair in (velocities, accelerations))
-    bends = order == 2
-    if moves != 'second':
-        first.set(-velocity / ratio, acceleration / ratio**2 if bends else None)
-    if moves != 'first':
-        second.set(velocity, acceleration if bends else None)
-
-
-def _agreed(pair, moves):
-    return {'second': pair[0], 'first': pair[1], 'both': (pair[0] + pair[1]) / 2}[moves]
-
-
-def _geometric(first, second, moves, order):
-    """G1 and G2: each side keeps its speed, and how the speed changes."""
-    tangents = -_unit(first.velocity), _unit(second.velocity)
-    if not all(tangent.any() for tangent in tangents):
-        return                          # a side without a direction has none to share
-    tangent = _unit(_agreed(tangents, moves))
-    if not tangent.any():               # they go back the way they came: neither is nearer
-        tangent = tangents[0]
-    curvature = _agreed([_curvature(first), _curvature(second)], moves) if order == 2 else None
-    for side, own, name in ((first, -tangent, 'first'), (second, tangent, 'second')):
-        if moves in (name, 'both'):
-            _bend(side, own, curvature)
-
-
-def _bend(side, tangent, curvature):
-    speed = np.linalg.norm(side.velocity)
-    along = side.acceleration @ _unit(side.velocity)
-    if curvature is None:
-        side.set(speed * tangent)
-        return
-    across = curvature - (curvature @ tangent) * tangent
-    side.set(speed * tangent, speed**2 * across + along * tangent)
-
-
-def _curvature(side):
-    """(3,): the vector from the joint towards the middle of curvature, one over the radius long."""
-    tangent, speed = _unit(side.velocity), np.linalg.norm(side.velocity)
-    return (side.acceleration - (side.acceleration @ tangent) * tangent) / speed**2
+    moved = [[row in led for row in side.rows.tolist()] for side in (first, second)]
+    made = sc.build.joint_points(pool[first.rows], first.degree, first.spans, pool[second.rows], second.degree, second.spans,
+                                 held.smoothness, held.moves, first_moved=moved[0], second_moved=moved[1])
+    return np.concatenate([first.rows, second.rows]), np.concatenate(made)
 
 
 def _unit(vector):

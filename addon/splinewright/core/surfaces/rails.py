@@ -3,10 +3,10 @@
 import numpy as np
 
 from ..base.failures import AboutInputs
+from ..base.library import sc
 from ..meets import plane_fit
 from . import sections
 
-_UP = np.array([0.0, 0.0, 1.0])
 #: Of the size of a rail: what a section may miss it by and still cross it.
 _TOUCH = 1e-6
 #: A section whose plane is this far from its own x and y lies in another one.
@@ -72,27 +72,16 @@ def along(rail, profiles, frame):
     _require_one_place(rail, profiles, 1)
     at = _places_on(rail, profiles)
     order = np.argsort(at, kind='stable')
-    frames = _frames(rail, at, frame)
-    points = rail.evaluate(at)
-    moved = [profiles[i].transformed(_into(points[i], frames[i])) for i in order]
+    frames = sc.build.rail_frames(rail, at, frame=frame)
+    moved = [profiles[i].transformed(_into(frames[i])) for i in order]
     return moved, at[order] if len(order) > 1 else None, order.tolist()
 
 
-def _frames(rail, at, frame):
-    """(n, 3, 3): x, y and z of the frames, as the library takes them."""
-    if frame == 'upright':
-        tangents = rail.frames(at)[:, 0]
-        y = _UP - (tangents @ _UP)[:, None] * tangents
-        y = y / np.linalg.norm(y, axis=1)[:, None]
-        return np.stack([np.cross(y, tangents), y, tangents], axis=1)
-    at = np.full(len(at), rail.domain[0]) if frame == 'parallel' else at
-    return rail.frames(at, closed=rail.to_nurbs().periodic)[:, [1, 2, 0]]
-
-
-def _into(origin, axes):
+def _into(frame):
+    """(4, 4): to where x, y, z and the origin are the columns of a frame."""
     into = np.eye(4)
-    into[:3, :3] = axes
-    into[:3, 3] = -axes @ origin
+    into[:3, :3] = frame[:3, :3].T
+    into[:3, 3] = -frame[:3, :3].T @ frame[:3, 3]
     return into
 
 
@@ -130,7 +119,8 @@ def between(first, second, profiles):
     profiles = [_from_first(first, second, profile) for profile in profiles]
     at = first.nearest(np.array([sections.ends(profile)[0] for profile in profiles])).parameters
     order = np.argsort(at, kind='stable')
-    moved = [profiles[i].transformed(_between(first, second, at[i])) for i in order]
+    frames = sc.build.two_rail_frames(first, second, at)
+    moved = [profiles[i].transformed(_into(frames[i])) for i in order]
     return moved, at[order] if len(order) > 1 else None, order.tolist()
 
 
@@ -139,15 +129,3 @@ def _from_first(first, second, profile):
     there = first.nearest(np.array([start, end])).distances
     back = second.nearest(np.array([start, end])).distances
     return profile.reversed() if there[1] + back[0] < there[0] + back[1] else profile
-
-
-def _between(first, second, at):
-    """(4, 4): into the frame whose x goes from the first rail to the second one, y at right angles to both."""
-    part = (at - first.domain[0]) / (first.domain[1] - first.domain[0])
-    other = second.domain[0] + part * (second.domain[1] - second.domain[0])
-    origin, way = first.evaluate(at), second.evaluate(other)
-    x = _unit(way - origin)
-    tangents = first.frames(np.array([at]))[0, 0] + second.frames(np.array([other]))[0, 0]
-    y = np.cross(tangents, x)
-    y = _unit(y - (y @ x) * x)
-    return _into(origin, np.stack([x, y, np.cross(x, y)]))
