@@ -349,3 +349,72 @@ def test_a_refused_number_is_shown_as_it_was():
     ob = add_recipe('helix')
     ob.data.splinewright_parameters.helix_turns = 0.0
     assert "turns" in ob.data.splinewright.problem and ob.data.splinewright_parameters.helix_turns == 3.0
+
+
+def merging(ob, frames=10):
+    """Keys by which u5, then u4, u3, u2 and u1, go onto u6, each in so many frames."""
+    for step, number in enumerate((5, 4, 3, 2, 1)):
+        animate(ob.data, 'splinewright_parameters.functions_knot_values_list',
+                {1 + step * frames: float(number), 1 + (step + 1) * frames: 6.0}, index=5 + number)
+
+
+def test_the_five_pictures_of_merging_knots_are_one_film():
+    """Lecture rows 000.102 to 000.107."""
+    ob = add_recipe('functions', degree=5, knot_values="0 " * 6 + "1 2 3 4 5 6" + " 7" * 6, axes=False)
+    materials = list(ob.data.materials)
+    merging(ob)
+    names = [f"N_{{{i},5}}" for i in range(12)]
+    functions = part('core.formulas.functions')
+
+    def ends(ob, depsgraph):
+        points = [[point.co[:3] for point in spline.points] for spline in ob.evaluated_get(depsgraph).data.splines]
+        return [(round(min(x for x, *_ in each), 4), round(max(y for _, y, _ in each), 4)) for each in points]
+    for frame in (1, 4, 11, 17, 21, 31, 36, 41, 51, 8):
+        bpy.context.scene.frame_set(frame)
+        inner = [6.0 if frame >= 1 + 10 * (6 - u) else u + (6 - u) * max(frame - 1 - 10 * (5 - u), 0) / 10 for u in (1, 2, 3, 4, 5)]
+        knots = [0.0] * 6 + inner + [6.0] + [7.0] * 6
+        assert np.allclose([float(word) for word in recipes.parameters(ob.data)['knot_values'].split()], knots, rtol=0, atol=1e-6)
+        assert problems.of(ob.data, problems.KEYED) == ""
+        definition = part('bridge.data.store').read(ob.data)
+        assert [piece.name for piece in definition.pieces] == names
+        assert [spline.material_index for spline in ob.data.splines] == [2 + i % (len(materials) - 2) for i in range(12)]
+        require_exact(ob)
+        exact = part('core.shape.definition').to_value(definition)
+        whole = functions.of_knots(5, [float(word) for word in recipes.parameters(ob.data)['knot_values'].split()])
+        assert all(np.isclose(curve.points[0, 0] * 3.5, whole.supports(i)[0][0], atol=1e-9) for i, curve in enumerate(exact))
+    assert list(ob.data.materials) == materials
+    views, renders = in_views_and_renders(ends, ob, (4, 21, 36))
+    assert views == renders and len({tuple(each) for each in views.values()}) == 3
+
+
+def test_numbers_of_a_text_are_fields_that_keep_what_was_typed():
+    ob = add_recipe('functions', degree=1, knot_values="0 0.3333333333333333, 2 3 1e2", axes=False)
+    group = ob.data.splinewright_parameters
+    assert np.allclose(group.functions_knot_values_list[:6], (0, 1 / 3, 2, 3, 100, 0))
+    group.functions_knot_values_list[3] = 2.1
+    bpy.context.view_layer.update()
+    assert recipes.parameters(ob.data)['knot_values'] == group.functions_knot_values == "0 0.3333333333333333 2 2.1 1e2"
+    require_exact(ob)
+    group.functions_knot_values_list[3] = 1.5
+    assert "must not decrease" in problems.of(ob.data, problems.SETTING)
+    assert group.functions_knot_values_list[3] == pytest.approx(2.1) and group.functions_knot_values.split()[3] == "2.1"
+    group.functions_knot_values_list[20] = 5.0
+    assert group.functions_knot_values.split() == ["0", "0.3333333333333333", "2", "2.1", "1e2"]
+    group.functions_knot_values = "0 1 2"
+    assert tuple(group.functions_knot_values_list[:3]) == (0.0, 1.0, 2.0)
+
+
+def test_a_knot_has_a_driver():
+    ob, lever = add_recipe('functions', degree=1, knot_values="0 1 2 3", axes=False), in_scene("lever", None)
+    driver = ob.data.driver_add('splinewright_parameters.functions_knot_values_list', 2).driver
+    variable = driver.variables.new()
+    variable.targets[0].id, variable.targets[0].data_path = lever, 'location.x'
+    driver.expression = variable.name
+    for x in (1.25, 2.5, 3.0):
+        lever.location.x = x
+        bpy.context.view_layer.update()
+        assert recipes.parameters(ob.data)['knot_values'].split()[2] == f"{x:g}"
+        require_exact(ob)
+    lever.location.x = 4.0
+    bpy.context.view_layer.update()
+    assert "must not decrease" in problems.of(ob.data, problems.KEYED)

@@ -1,9 +1,9 @@
-"""What conic a curve is, in the sidebar."""
+"""The formulas of a shape, in the sidebar: what conic a curve is."""
 
 import bpy
 
 from ..bridge.data import store
-from ..bridge.edit import replace_pieces
+from ..bridge.shape import shape
 from ..core.formulas import formulas
 from ..core.shape import definition as definitions
 from . import texts
@@ -20,7 +20,7 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return replace_pieces.is_curve_shape(context.object)
+        return shape.has_shape(context.object)
 
     def draw(self, context):
         column = self.layout.column(align=True)
@@ -38,7 +38,7 @@ def _conic(data):
         definition = store.read(data)
     except store.UnreadableDefinition:
         return []
-    if len(definition.pieces) > 2 or len(definition.pool) > _MOST_POINTS:
+    if not definition.has_curves or len(definition.pieces) > 2 or len(definition.pool) > _MOST_POINTS:
         return []
     value = definitions.to_value(definition)
     return formulas.conic_lines((value[0] if isinstance(value, list) else value).to_nurbs())

@@ -7,7 +7,7 @@ from functools import partial
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
+from bpy.props import BoolProperty, CollectionProperty, EnumProperty, FloatProperty, FloatVectorProperty, IntProperty, PointerProperty, StringProperty
 
 from ..bridge.data import problems, settings
 from ..bridge.follow import follow
@@ -54,6 +54,19 @@ def _updater(recipe, parameter):
         if recipes.kind(data) == recipe.kind and not settings.is_quiet(data):
             _change(data, parameter.name, parameters.as_typed(parameter, getattr(self, name)))
     return update
+
+
+def _list_property(recipe, parameter):
+    """The numbers of a text as fields, each of which takes keys."""
+    name = parameters.list_name_of(recipe, parameter)
+
+    def update(self, context):
+        data = self.id_data
+        if recipes.kind(data) == recipe.kind and not settings.is_quiet(data):
+            text = getattr(self, parameters.name_of(recipe, parameter))
+            _change(data, parameter.name, parameters.with_numbers(text, dict(enumerate(getattr(self, name)))))
+    return FloatVectorProperty(name=parameter.label, description="Takes keys and drivers", size=parameter.numbers,
+                               precision=5, step=10, update=update)
 
 
 def _change(data, name, value):
@@ -128,6 +141,8 @@ class SplinewrightRecipe(bpy.types.PropertyGroup):
     __annotations__ = {
         **{parameters.name_of(recipe, parameter): property_of(parameter, update=_updater(recipe, parameter))
            for recipe in RECIPES.values() for parameter in recipe.parameters},
+        **{parameters.list_name_of(recipe, parameter): _list_property(recipe, parameter)
+           for recipe in RECIPES.values() for parameter in recipe.parameters if parameter.numbers},
         **{_length_name(recipe, i): _length_property(recipe, *length)
            for recipe in RECIPES.values() for i, length in enumerate(recipe.lengths)},
         'inputs': CollectionProperty(type=SplinewrightInput, options=set()),
@@ -170,6 +185,8 @@ def draw(layout, data, is_net_out=False):
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
+        if parameter.numbers:
+            _draw_list(column, data, recipe, parameter, is_net_out)
     if recipe.has_more:
         inputs_list.draw(layout, data, recipe)
     if stored.error:
@@ -178,6 +195,15 @@ def draw(layout, data, is_net_out=False):
         texts.draw_note(layout, stored.said)
     if stored.warning:
         texts.draw_note(layout, stored.warning, icon='ERROR')
+
+
+def _draw_list(layout, data, recipe, parameter, is_net_out):
+    """A field for each number of a text."""
+    group = parameters.of(data)
+    grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+    grid.enabled = not is_net_out
+    for i in parameters.numbers_in(getattr(group, parameters.name_of(recipe, parameter)), parameter.numbers):
+        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=f"u{i}")
 
 
 CLASSES = (SplinewrightInput, SplinewrightRecipe)

@@ -9,7 +9,7 @@ from ..data import store
 KEY = "splinewright_names"
 #: sRGB of functions one after the other, told apart by people who see few colors (Okabe and Ito 2008); then of axes and sums.
 _COLORS = ((0.0, 0.45, 0.70), (0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.80, 0.47, 0.65), (0.90, 0.62, 0.0), (0.34, 0.71, 0.91),
-              (0.62, 0.12, 0.18), (0.45, 0.45, 0.1))
+              (0.62, 0.12, 0.18), (0.45, 0.45, 0.1), (0.10, 0.15, 0.45), (0.60, 0.85, 0.55), (0.50, 0.30, 0.70), (0.45, 0.27, 0.12))
 _AXES, _SUM, _GRID = (0.55, 0.55, 0.55), (0.9, 0.9, 0.9), (0.3, 0.3, 0.3)
 #: Slots before those of functions.
 _FIRST = ("Splinewright Axes", _AXES), ("Splinewright Sum", _SUM), ("Splinewright Grid", _GRID)

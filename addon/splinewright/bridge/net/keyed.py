@@ -99,5 +99,22 @@ def _changes(data, evaluated, names):
     if stored is None:
         return {}
     given = parameters.changes(stored.recipe, stored.values, parameters.of(evaluated))
-    return {parameter.name: given[parameter.name] for parameter in stored.recipe.parameters
-            if parameter.name in given and parameters.name_of(stored.recipe, parameter) in names}
+    found = {parameter.name: given[parameter.name] for parameter in stored.recipe.parameters
+             if parameter.name in given and parameters.name_of(stored.recipe, parameter) in names}
+    return {**found, **_changed_lists(data, evaluated, stored)}
+
+
+def _changed_lists(data, evaluated, stored):
+    """As _changes(): texts of numbers, of which those with keys or drivers are taken."""
+    found = {}
+    for parameter in stored.recipe.parameters:
+        if parameter.numbers:
+            name = parameters.list_name_of(stored.recipe, parameter)
+            numbers, before = getattr(parameters.of(evaluated), name), stored.values[parameter.name]
+            text = parameters.with_numbers(before, {i: numbers[i] for i in _keyed_places(data, _OF_PARAMETERS + name)})
+            found.update({parameter.name: text} if text != before else {})
+    return found
+
+
+def _keyed_places(data, path):
+    return {channel.array_index for channel in animation.channels(data) if channel.data_path == path}

@@ -1,27 +1,46 @@
-"""A curve as the lectures write it: coefficients, equation, triangles of numbers. Plain text, to be read."""
+"""A curve as the lectures write it: coefficients, equation, matrices, triangles of numbers. Plain text, to be read."""
+
+from fractions import Fraction
 
 import numpy as np
 
 from ..base.library import sc
-from . import teaching
+from ..shape import definition as definitions
+from . import patch_formulas, spline, triangles, written
+from .exact import Number, coefficients, read
 
 #: Spans of a curve that are written out, and the highest degree of one that is.
 MOST_SPANS = 16
 MOST_DEGREE = 30
 #: Parts of the size that come of rounding.
 _ROUNDING = 1e-12
-#: Parts of the largest number that come of rounding, too.
-_SAME = 1e-10
+#: Parts of the largest coefficient of a conic that come of rounding.
+_OF_CONIC = 1e-13
 
 
-def text(curve, position):
-    """All that is to say of a NurbsCurve; position is 0 at its start and 1 at its end."""
-    start, end = curve.domain
-    u = min(start + position * (end - start), end)
-    parts = [_points(curve)]
-    if curve.degree <= MOST_DEGREE:
-        parts += [_power(curve), _conic(curve), _matrix(curve), _basis_triangle(curve, u), _casteljau(curve, u)]
+def text(value, position):
+    """All that is to say of a curve or patch; position is 0 at its start and 1 at its end, in both directions of a patch."""
+    parts = patch_formulas.parts(value, position) if isinstance(value, definitions.PATCHES) else _parts(value, position)
     return "\n\n".join("\n".join(lines) for lines in parts if lines) + "\n"
+
+
+def _parts(curve, position):
+    of_curve, rows = spline.of_curve(curve)
+    allowed = written.allowed_for(curve.points)
+    start, end = of_curve.domain
+    u = start + Fraction(str(position)) * (end - start)
+    parts = [_hermite_points(curve, allowed) if of_curve.kind == 'Hermite' else _points(curve, of_curve, allowed)]
+    if curve.degree > MOST_DEGREE:
+        return [*parts, [f"Formulas are written up to degree {MOST_DEGREE}: this is degree {curve.degree}"]]
+    count = len(curve.points)
+    return [*parts, _power(curve, of_curve, rows), _conic(curve.to_nurbs()), spline.matrix_lines(of_curve, of_curve.letter, _names(count)),
+            triangles.basis_lines(of_curve, u, of_curve.letter), triangles.de_boor_lines(of_curve, rows, u, count, allowed),
+            triangles.casteljau_lines(of_curve, rows, u, allowed)]
+
+
+def _names(count):
+    """What control points of a segment are called; those of a periodic curve begin again."""
+    return lambda indices: f"P{indices[0] % count} to P{indices[-1] % count}"
 
 
 def conic_lines(curve):
@@ -37,13 +56,13 @@ def _lines_of(curve, conic):
     found = [("Class", sc.conics.class_of(curve).replace("_", " "))] if _is_one_arc(curve) else []
     found += [("Conic", conic.type.replace("_", " ")), ("Equation", equation(conic))]
     if conic.eccentricity is not None:
-        found.append(("Eccentricity", _number(conic.eccentricity)))
-    size = np.abs(_finite(curve.points)).max(initial=0.0)
-    return found + [("Focus", _vector(np.where(np.abs(focus) > _ROUNDING * size, focus, 0.0))) for focus in conic.foci]
+        found.append(("Eccentricity", _computed([conic.eccentricity], _ROUNDING)[0]))
+    return found + [("Focus", _place(focus, _rounding_of(curve))) for focus in conic.foci]
 
 
-def _finite(points):
-    return points[np.isfinite(points)]
+def _rounding_of(curve):
+    points = curve.points
+    return _ROUNDING * float(np.abs(points[np.isfinite(points)]).max(initial=0.0))
 
 
 def _is_one_arc(curve):
@@ -52,33 +71,58 @@ def _is_one_arc(curve):
 
 def equation(conic):
     """The equation in the coordinates x, y of the conic's plane."""
-    least = _SAME * 1e-3 * np.abs(conic.coefficients).max()
-    terms = [(c, name) for c, name in zip(conic.coefficients, ("x²", "xy", "y²", "x", "y", "")) if abs(c) > least]
-    return _sum(terms) + " = 0"
+    texts = _computed(conic.coefficients, _OF_CONIC * float(np.abs(conic.coefficients).max()))
+    return written.summed(zip(texts, ("x²", "xy", "y²", "x", "y", ""))) + " = 0"
 
 
-def _points(curve):
-    lines = [f"NURBS curve of degree {curve.degree}{', periodic' if curve.periodic else ''}",
-             "Knots: " + " ".join(map(_number, curve.knots)), "Control points (x, y, z) and weights:"]
+def _place(point, within):
+    return "(" + ", ".join(_computed(point, within)) + ")"
+
+
+def _computed(values, within):
+    """Numbers that the library found, within a bound, as texts."""
+    return [written.number(Number(Fraction(float(value)), within)) if np.isfinite(value) else "infinite" for value in values]
+
+
+def _points(curve, of_curve, allowed):
+    is_bezier = of_curve.kind == 'Bezier'
+    lines = [f"{of_curve.kind} curve of degree {curve.degree}" + (", periodic" if not is_bezier and curve.periodic else "")]
+    if not is_bezier:
+        lines.append("Knots: " + " ".join(written.number(read(knot), of_curve.allowed) for knot in curve.knots))
+    lines.append("Control points (x, y, z) and weights:")
     rows = zip(curve.points, curve.weights)
-    lines += [f"  P{i}  {_vector(p)}  w = {_number(w)}{'  (at infinity)' if w == 0 else ''}" for i, (p, w) in enumerate(rows)]
+    return lines + [f"  P{i}  {_vector(p, allowed)}  w = {written.number(read(w))}{'  (at infinity)' if w == 0 else ''}"
+                    for i, (p, w) in enumerate(rows)]
+
+
+def _hermite_points(curve, allowed):
+    """Lecture row S4."""
+    nodes = spline.of_curve(curve)[0]
+    count = len(curve.points) - 1
+    lines = [f"Hermite chain of degree 3 of {count} segment{'s' if count > 1 else ''}",
+             "Parameters: " + " ".join(written.number(node, nodes.allowed) for node in nodes.knots),
+             "Points P (x, y, z) and derivatives R by the parameter:"]
+    for i, (point, (incoming, outgoing)) in enumerate(zip(curve.points, curve.tangents)):
+        is_one = np.array_equal(incoming, outgoing) or i in (0, count)
+        shown = (("", incoming if i == count else outgoing),) if is_one else ((" before", incoming), (" after", outgoing))
+        lines.append(f"  P{i}  {_vector(point, allowed)}" + "".join(f"  R{i}{side}  {_vector(each)}" for side, each in shown))
     return lines
 
 
-def _power(curve):
+def _power(curve, of_curve, rows):
     """Lecture row S2."""
-    lines = ["Power basis, span by span:"]
-    spans = curve.to_power()
-    for power in spans[:MOST_SPANS]:
-        start, end = power.domain
-        lines.append(f"  on [{_number(start)}, {_number(end)}]" +
-                     (f", with s = t - {_number(power.origin)}" if power.origin else ""))
-        variable = "s" if power.origin else "t"
-        rows = power.homogeneous_coefficients if curve.is_rational else power.coefficients
-        for axis, name in enumerate("XYZW" if curve.is_rational else "xyz"):
-            lines.append(f"    {name} = {_polynomial(rows[:, axis], variable)}")
-    if len(spans) > MOST_SPANS:
-        lines.append(f"  and {len(spans) - MOST_SPANS} spans more")
+    def part(segment):
+        return lambda: _span(segment, of_curve, rows, curve.is_rational)
+    return ["Power basis, span by span:", *written.listed(list(map(part, of_curve.segments)), MOST_SPANS, "spans")]
+
+
+def _span(segment, of_curve, rows, is_rational):
+    variable, where = written.from_start(of_curve.letter, "s", segment.start, of_curve.allowed)
+    lines = [f"  on {of_curve.on(segment)}{', with ' + where if where else ''}"]
+    for name, row in zip("XYZW" if is_rational else "xyz", coefficients(segment, rows)):
+        allowed = 0.0 if is_rational else written.share_of(row, [segment.length ** k for k in range(len(row))])
+        texts = written.numbers(row, [allowed / float(segment.length ** k) for k in range(len(row))])
+        lines.append(f"    {name} = {written.summed(zip(texts, (written.power(variable, k) for k in range(len(row)))))}")
     return lines
 
 
@@ -88,64 +132,12 @@ def _conic(curve):
         conic = sc.conics.implicit(curve)
     except sc.Error:
         return []
+    within = _rounding_of(curve)
+    x_axis, y_axis = (_place(axis, _ROUNDING) for axis in (conic.x_axis, conic.y_axis))
     lines = [f"  {label}: {value}" for label, value in _lines_of(curve, conic)]
-    plane = (f"  x and y from {_vector(conic.origin)} along {_vector(conic.x_axis)} and {_vector(conic.y_axis)}")
-    return ["Conic:", *lines, plane]
+    return ["Conic:", *lines, f"  x and y from {_place(conic.origin, within)} along {x_axis} and {y_axis}"]
 
 
-def _matrix(curve):
-    """Lecture rows S6 and S13: what takes the control points of a span to the coefficients of 1, t, t², …"""
-    knots = curve.knot_vector.knots
-    if len(curve.points) == curve.degree + 1 and not curve.periodic and knots[0] == knots[curve.degree]:
-        name, matrix = "Bezier", sc.basis.bezier_matrix(curve.degree)
-    elif np.ptp(np.diff(knots)) <= _SAME * np.ptp(knots):
-        name, matrix = "uniform B-spline", sc.basis.uniform_matrix(curve.degree)
-    else:
-        return []
-    return [f"{name} matrix, t from 0 to 1 in a span:", *("  " + "  ".join(f"{_number(v):>14}" for v in row) for row in matrix)]
+def _vector(point, allowed=np.inf):
+    return written.vector(map(read, point), allowed)
 
-
-def _basis_triangle(curve, u):
-    """Lecture row S14: which functions feed which."""
-    lines = [f"Basis functions that are not zero at u = {_number(u)}, by degree:"]
-    for degree, (indices, values, *_) in enumerate(curve.knot_vector.triangle(u)):
-        lines.append("  " + "   ".join(f"N{i},{degree} = {_number(value)}" for i, value in zip(indices, values)))
-    return lines
-
-
-def _casteljau(curve, u):
-    """Lecture row S9."""
-    bezier, t = teaching.bezier_at(curve, u)
-    lines = [f"de Casteljau on the Bezier curve of the span, at t = {_number(t)}, points and weights by level:"]
-    rows, broken = bezier.rational_casteljau_triangle(t)
-    for level, points in enumerate(rows):
-        lines.append(f"  {level}:  " + "   ".join(f"{_vector(row[:3])} w = {_number(row[3])}" for row in points))
-    if broken is not None:
-        lines.append("  Here " + teaching.broken_text(broken) + "; the homogeneous algorithm continues:")
-        for level, points in enumerate(bezier.casteljau_triangle(t)):
-            lines.append(f"  {level}:  " + "   ".join("[" + " ".join(map(_number, row)) + "]" for row in points))
-    return lines
-
-
-def _polynomial(coefficients, variable):
-    return _sum([(c, "" if k == 0 else variable if k == 1 else f"{variable}^{k}") for k, c in enumerate(coefficients)])
-
-
-def _sum(terms):
-    """c1 name1 + c2 name2 ..., without those that are zero."""
-    written = ""
-    for c, name in terms:
-        if c == 0.0:
-            continue
-        sign = ("-" if c < 0 else "") if not written else (" - " if c < 0 else " + ")
-        size = _number(abs(c))
-        written += sign + (name if name and size == "1" else f"{size} {name}".rstrip())
-    return written or "0"
-
-
-def _vector(point):
-    return "(" + ", ".join(map(_number, point)) + ")"
-
-
-def _number(value):
-    return f"{value + 0.0:.10g}" if np.isfinite(value) else "infinite"

@@ -12,10 +12,15 @@ def curve_of(definition, piece):
     """A curve of a definition; pieces are counted from 1. Raises Refusal where there is none."""
     if not definition.has_curves:
         raise Refusal("it is made of patches: a curve is needed")
+    return piece_of(definition, piece)
+
+
+def piece_of(definition, piece):
+    """A curve or patch of a definition; pieces are counted from 1. Raises Refusal where there is none."""
     if piece > len(definition.pieces):
-        raise Refusal(f"there is no piece {piece}: the curve has {len(definition.pieces)}")
+        raise Refusal(f"there is no piece {piece}: the {'curve' if definition.has_curves else 'surface'} has {len(definition.pieces)}")
     value = definitions.to_value(definition)
-    return value[piece - 1] if isinstance(value, list) else value
+    return value[piece - 1] if definition.form in ('curves', 'patch_set') else value
 
 
 def construction(curve, position, scheme, marker, first=0, last=None):

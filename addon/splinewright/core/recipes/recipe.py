@@ -27,6 +27,7 @@ class Parameter:
     follows: str = ""                   # the parameter whose value it has where that is given and its own is not
     of_scene: bool = False              # it is the scene's tolerance where none is given
     where: tuple = ()                   # (the name of another parameter, its values) with which alone it counts
+    numbers: int = 0                    # of a text of numbers between spaces: how many have fields of their own, which take keys
 
     def checked(self, value):
         """The value as a recipe takes it. Raises WrongKind for one of another kind, Refusal for one outside its limits."""

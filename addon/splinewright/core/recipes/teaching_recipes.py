@@ -18,7 +18,7 @@ _FAMILY = Parameter("family", "Functions", "Which functions are drawn", "bspline
     ("natural", "Natural Spline", "Cubic splines that are 1 at one node, straight at both ends")))
 _DEGREE = Parameter("degree", "Degree", "Of the functions", 2, 0, 9, where=("family", ("bspline", "bernstein")))
 _KNOTS = Parameter("knot_values", "Knots", "Knots or nodes between spaces; functions of degree p have p + 2 of them each", "0 1 2 3 4 5",
-                   where=("family", ("bspline", "hermite", "lagrange", "natural")))
+                   where=("family", ("bspline", "hermite", "lagrange", "natural")), numbers=32)
 _SHOW = Parameter("show", "Show", "How the functions are drawn", "functions", choices=(
     ("functions", "Functions", "Each function"), ("sum", "With Sum", "Each function, and the sum of those that weigh points"),
     ("stacked", "Stacked", "Each function upon the sum of those before: together they are 1 where they are all")))

@@ -1,10 +1,10 @@
-"""The formulas of a curve as a text."""
+"""The formulas of a curve or patch as a text."""
 
 import bpy
 from bpy.props import FloatProperty, IntProperty
 
 from ...bridge.data import store
-from ...bridge.edit import replace_pieces
+from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
 from ...core.formulas import formulas, teaching
@@ -19,19 +19,19 @@ _OWNER = "splinewright_formulas_of"
 class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
     bl_idname = "splinewright.write_formulas"
     bl_label = "Write Formulas as Text"
-    bl_description = ("Write points, power basis, conic equation, and the triangles of basis functions and de Casteljau to a "
-                      "text")
+    bl_description = ("Write points, power basis, matrices, conic equation, and the triangles of basis functions, de Boor and de "
+                      "Casteljau of a curve or patch to a text, as fractions where they are some")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1", default=1, min=1,
+    piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
                        options={'SKIP_SAVE'})
-    position: FloatProperty(name="Position", description="Of the triangles: 0 is the start of the curve, 1 its end",
+    position: FloatProperty(name="Position", description="Of the triangles: 0 is the start of the curve, 1 its end; of a patch in both directions",
                             default=0.5, min=0.0, max=1.0, precision=5)
 
     @classmethod
     def poll(cls, context):
-        if not replace_pieces.is_curve_shape(context.object):
-            cls.poll_message_set("Select a curve shape")
+        if not shape.has_shape(context.object):
+            cls.poll_message_set("Select a Splinewright shape")
             return False
         return True
 
@@ -49,8 +49,8 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
         active_shape.forget_asked()
         active_shape.note(self, 'piece', ob)
         try:
-            curve = teaching.curve_of(store.read(ob.data), self.piece).to_nurbs()
-            written = formulas.text(curve, decimals.typed(self.position))
+            piece = teaching.piece_of(store.read(ob.data), self.piece)
+            written = formulas.text(piece, decimals.typed(self.position))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         text = _text_for(ob)

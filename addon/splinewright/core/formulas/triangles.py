@@ -1,0 +1,74 @@
+"""At a parameter, level by level: basis functions, de Boor's and de Casteljau's points (S9, S14, S15)."""
+
+from ..base.library import sc
+from . import exact, teaching, written
+
+
+def basis_lines(spline, u, letter):
+    """Which functions feed which, and with what coefficients."""
+    if spline.kind == 'Hermite':
+        return _hermite_lines(spline, u, letter)
+    levels = exact.basis(spline.degree, spline.knots, u)
+    at = written.number(u, spline.allowed)
+    lines = [f"Basis functions of the span {spline.on(spline.segment_at(u))} at {letter} = {at}, by degree:"]
+    for degree, level in enumerate(levels):
+        texts = written.numbers([each.value for each in level])
+        lines.append("  " + "   ".join(f"N{each.number},{degree} = {text}" for each, text in zip(level, texts)))
+    if spline.degree > 0:
+        lines.append(f"Each is of two below, N_i,p = ({letter} - u_i) / (u_i+p - u_i) N_i,p-1 + "
+                     f"(u_i+p+1 - {letter}) / (u_i+p+1 - u_i+1) N_i+1,p-1, where 0/0 counts as 0:")
+    return lines + [_fed(each, degree) for degree, level in enumerate(levels) if degree > 0 for each in level]
+
+
+def _fed(function, degree):
+    i, below = function.number, degree - 1
+    left, right = written.numbers([function.left, function.right])
+    return f"  N{i},{degree} = ({left}) N{i},{below} + ({right}) N{i + 1},{below}"
+
+
+def _hermite_lines(spline, u, letter):
+    """Lecture row S4."""
+    segment = spline.segment_at(u)
+    t = (u - segment.start) / segment.length
+    values = [sum(exact.HERMITE[k][j] * t ** k for k in range(4)) for j in range(4)]
+    names = ("P at the start", "R at the start", "P at the end", "R at the end")
+    return [f"Hermite functions at {letter} = {written.number(u, spline.allowed)}, on {spline.on(segment)} at t = {written.number(t)}:",
+            *(f"  of {name}: {written.number(value)}" for name, value in zip(names, values))]
+
+
+def de_boor_lines(spline, rows, u, count, allowed):
+    """De Boor's numbers; count: of the points of a periodic curve, by which theirs are counted."""
+    if spline.kind != 'NURBS':
+        return []
+    levels = exact.de_boor(spline.degree, spline.knots, rows, u)
+    lines = [f"de Boor's algorithm at u = {written.number(u, spline.allowed)}: points and weights by level, each "
+             "(1 - a) times the one before it and a times its own, of the level above:"]
+    for level, steps in enumerate(levels):
+        lines.append(f"  {level}:  " + "   ".join(_step(step, level, count, allowed) for step in steps))
+    return lines
+
+
+def _step(step, level, count, allowed):
+    name = f"P{step.number % count}" if level == 0 else f"a = {written.number(step.ratio)}"
+    return f"{name}  {written.point(step.row, allowed)}"
+
+
+def casteljau_lines(spline, rows, u, allowed):
+    """The rational algorithm as far as it goes, then the homogeneous one."""
+    segment = spline.segment_at(u)
+    t = (u - segment.start) / segment.length
+    levels = exact.casteljau(exact.bezier_points(segment, rows), t)
+    bezier = sc.BezierCurve.from_homogeneous([[float(each.value) for each in row] for row in levels[0]])
+    found, broken = bezier.rational_casteljau_triangle(float(t))
+    lines = [f"de Casteljau on the Bezier curve of the span {spline.on(segment)}, at t = {written.number(t)}, points and weights by level:"]
+    for level, points in enumerate(levels[:len(found)]):
+        lines.append(f"  {level}:  " + "   ".join(written.point(row, allowed) for row in points))
+    if broken is not None:
+        lines.append("  Here " + teaching.broken_text(broken) + "; the homogeneous algorithm continues:")
+        for level, points in enumerate(levels):
+            lines.append(f"  {level}:  " + "   ".join(_homogeneous(row, allowed) for row in points))
+    return lines
+
+
+def _homogeneous(row, allowed):
+    return "[" + " ".join(written.numbers(row, [allowed] * len(row))) + "]"
