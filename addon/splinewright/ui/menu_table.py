@@ -125,7 +125,8 @@ CONSTRUCTION = Menu('construction', "Construction", (
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE')), *_others(CURVE, 'write_formulas'), _sight('LABELS')), 'HELP')
+    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE'), ('halving', 'NONE')),
+    *_made(FOLLOWED, ('hulls', 'NONE')), *_others(CURVE, 'write_formulas'), _sight('LABELS')), 'HELP')
 SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name != 'LABELS'), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (
@@ -188,7 +189,7 @@ def menus_in(menu):
 
 
 def entries_in(menu):
-    """What is in a menu and in all below it, but for menus and lines."""
+    """The entries of a menu and of all below it, but for menus and lines."""
     return [entry for below in menus_in(menu) for entry in below.entries if isinstance(entry, (Entry, Native))]
 
 

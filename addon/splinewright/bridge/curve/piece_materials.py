@@ -1,8 +1,8 @@
-"""Materials of a picture: each function has its color, axes and sums have theirs. A slot's material is the user's to change."""
+"""Materials of a picture: each function has its color, axes and sums have theirs, marks of one letter have one. A slot's material is the user's to change."""
 
 import bpy
 
-from ...core.formulas import functions
+from ...core.formulas import functions, signs
 from ..data import store
 
 #: The names by which splines were given their slots last, on the Curve.
@@ -30,8 +30,12 @@ def show(data, names):
 
 def slots_of(names):
     """The slot of each name: of axes and ticks, of sums, of others in their order."""
-    known = list(dict.fromkeys(name for name in names if not _is_of_axes(name) and name != functions.SUM))
-    return [0 if _is_of_axes(name) else 1 if name == functions.SUM else len(_FIRST) + known.index(name) for name in names]
+    groups = [signs.group_of(name) for name in names]
+    known = {}
+    for name, group in zip(names, groups):
+        if not _is_of_axes(name) and name != functions.SUM:
+            known.setdefault(group, len(_FIRST) + len(known))
+    return [0 if _is_of_axes(name) else 1 if name == functions.SUM else known[group] for name, group in zip(names, groups)]
 
 
 def _is_of_axes(name):

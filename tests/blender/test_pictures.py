@@ -1,0 +1,64 @@
+"""Halved polygons and hulls as shapes: named and colored, live, of every kind of curve and surface."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import VALUES, activate, add, require_exact
+from support import part, splinecore as sc
+
+store = part('bridge.data.store')
+CORNERS = np.array([(0, 0, 0), (0, 4, 0), (4, 4, 0), (4, 0, 0)], float)
+SPLINE = (3, [0, 0, 0, 0, 1, 3, 4, 4, 4, 4], np.array([(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 2, 0), (4, 0, 0), (5, 1, 0)], float))
+CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]
+
+
+def made(kind, source, **settings):
+    activate(source)
+    assert getattr(bpy.ops.splinewright, f"add_{kind}")('EXEC_DEFAULT', True, **settings) == {'FINISHED'}
+    return bpy.context.object
+
+
+def names_of(ob):
+    return [piece.name for piece in store.read(ob.data).pieces]
+
+
+@pytest.mark.parametrize('kind, settings', (('halving', {}), ('halving', {'ratio': 0.2, 'distance': 3.0}), ('hulls', {'show': 'both'}),
+                                            ('hulls', {'hulls_of': 'whole'})))
+@pytest.mark.parametrize('name', CURVES)
+def test_they_are_made_of_every_kind_of_curve(kind, settings, name):
+    ob = made(kind, add(VALUES[name](), "curve"), **settings)
+    assert all(names_of(ob)) and len(ob.data.materials) > 2 and ob.data.bevel_depth > 0
+    require_exact(ob)
+
+
+@pytest.mark.parametrize('name', ('bezier patch', 'hermite patch', 'nurbs patch', 'patch with a point at infinity', 'teapot', 'mixed set'))
+@pytest.mark.parametrize('of', ('spans', 'whole'))
+def test_hulls_are_made_of_every_kind_of_surface(name, of):
+    ob = made('hulls', add(VALUES[name](), "surface"), hulls_of=of)
+    assert {each.partition(" ")[0] for each in names_of(ob)} == {"hull"}
+    require_exact(ob)
+
+
+def test_halving_follows_the_curve_step_by_step():
+    source = add(sc.BezierCurve(CORNERS), "curve")
+    ob = made('halving', source, steps=2, distance=6.0)
+    assert names_of(ob) == ["step 0", "step 1", "step 2"] and [spline.material_index for spline in ob.data.splines] == [2, 3, 4]
+    source.data.splinewright.value = sc.BezierCurve(CORNERS + (0, 0, 1))
+    bpy.context.view_layer.update()
+    assert np.array_equal(ob.data.splinewright.value[1].points[3], (8, 3, 1))
+    ob.data.splinewright_parameters.halving_steps = 0
+    bpy.context.view_layer.update()
+    assert names_of(ob) == ["step 0"]
+
+
+def test_hulls_follow_and_intersections_have_one_color():
+    source = add(sc.NurbsCurve(*SPLINE), "curve")
+    ob = made('hulls', source, show='both')
+    assert names_of(ob) == ["hull 0", "hull 1", "hull 2", "intersection", "intersection"]
+    assert [spline.material_index for spline in ob.data.splines] == [2, 3, 4, 5, 5]
+    source.data.splinewright.value = source.data.splinewright.value.insert_knot(2.0)
+    bpy.context.view_layer.update()
+    assert names_of(ob).count("hull 3") == 1
+    with pytest.raises(RuntimeError, match="no two neighboring hulls"):
+        made('hulls', add(sc.BezierCurve(CORNERS), "one"), show='intersections')
