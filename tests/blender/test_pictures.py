@@ -1,4 +1,4 @@
-"""Halved polygons and hulls as shapes: named and colored, live, of every kind of curve and surface."""
+"""Halved polygons, hulls, chain points and marks as shapes: named, colored and labeled, live, of every kind of curve and surface."""
 
 import bpy
 import numpy as np
@@ -7,7 +7,8 @@ import pytest
 from shapes import VALUES, activate, add, require_exact
 from support import part, splinecore as sc
 
-store = part('bridge.data.store')
+labels, piece_materials, signs, store = (part(name) for name in (
+    'core.analysis.labels', 'bridge.curve.piece_materials', 'core.formulas.signs', 'bridge.data.store'))
 CORNERS = np.array([(0, 0, 0), (0, 4, 0), (4, 4, 0), (4, 0, 0)], float)
 SPLINE = (3, [0, 0, 0, 0, 1, 3, 4, 4, 4, 4], np.array([(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 2, 0), (4, 0, 0), (5, 1, 0)], float))
 CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]
@@ -23,8 +24,12 @@ def names_of(ob):
     return [piece.name for piece in store.read(ob.data).pieces]
 
 
+def labels_of(ob):
+    return [f"{label.base}{label.below and '_' + label.below}{label.after}" for label in labels.of(store.read(ob.data))]
+
+
 @pytest.mark.parametrize('kind, settings', (('halving', {}), ('halving', {'ratio': 0.2, 'distance': 3.0}), ('hulls', {'show': 'both'}),
-                                            ('hulls', {'hulls_of': 'whole'})))
+                                            ('hulls', {'hulls_of': 'whole'}), ('chain_points', {}), ('marks', {'derivatives': True})))
 @pytest.mark.parametrize('name', CURVES)
 def test_they_are_made_of_every_kind_of_curve(kind, settings, name):
     ob = made(kind, add(VALUES[name](), "curve"), **settings)
@@ -62,3 +67,34 @@ def test_hulls_follow_and_intersections_have_one_color():
     assert names_of(ob).count("hull 3") == 1
     with pytest.raises(RuntimeError, match="no two neighboring hulls"):
         made('hulls', add(sc.BezierCurve(CORNERS), "one"), show='intersections')
+
+
+def test_chain_points_have_labels_with_ratios_and_a_color_each():
+    ob = made('chain_points', add(sc.NurbsCurve(*SPLINE), "curve"))
+    found = labels_of(ob)
+    assert found == ["d_0 = e0", "d_1 = f1", "d_2", "d_3", "d_4 = g3", "d_5 = e3", "g_1  1 : 2", "e_1  1 : 2", "f_2  1 : 3", "g_2  3 : 1",
+                     "e_2  2 : 1", "f_3  2 : 1"]
+    colors = piece_materials.colors_of(ob.data)
+    assert len({colors[name] for name in names_of(ob)}) == 6 and colors["mark d_{2}"] == colors["mark d_{3}"]
+    ob.data.splinewright_parameters.chain_points_polygons = 'none'
+    bpy.context.view_layer.update()
+    assert all(name.startswith(signs.MARK) for name in names_of(ob))
+
+
+def test_chains_of_bezier_cubics_have_the_polygon_of_the_spline_or_a_warning(capfd):
+    spline = sc.NurbsCurve(*SPLINE)
+    ob = made('chain_points', add(spline.to_bezier(), "chain"), polygons='spline', marker=0.0)
+    assert np.allclose(ob.data.splinewright.value[0].points if isinstance(ob.data.splinewright.value, list) else ob.data.splinewright.value.points,
+                       SPLINE[2], rtol=0, atol=1e-6)
+    capfd.readouterr()
+    made('chain_points', add([sc.BezierCurve(CORNERS), sc.BezierCurve(CORNERS[::-1])], "no chain"))
+    assert "no spline polygon: joint 1 is not C" in capfd.readouterr().out
+
+
+def test_marks_and_arrows_are_labeled():
+    ob = made('marks', add(sc.HermiteCurve([(0, 0, 0), (3, 0, 0)], [(3, 3, 0), (3, -3, 0)]), "curve"), steps=2, derivatives=True)
+    assert labels_of(ob) == ["u = 0", "u = 0.5", "u = 1", "R_0", "R_1"]
+    corner = made('marks', add(sc.NurbsCurve(1, [0, 0, 1, 2, 2], CORNERS[:3]), "corner"), steps=0, arrow=0.5)
+    assert names_of(corner) == ["arrow T_{-}", "arrow T_{+}"]
+    with pytest.raises(RuntimeError, match="nothing is drawn"):
+        made('marks', add(sc.BezierCurve(CORNERS), "smooth"), steps=0)
