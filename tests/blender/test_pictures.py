@@ -70,7 +70,7 @@ def test_hulls_follow_and_intersections_have_one_color():
 
 
 def test_chain_points_have_labels_with_ratios_and_a_color_each():
-    ob = made('chain_points', add(sc.NurbsCurve(*SPLINE), "curve"))
+    ob = made('chain_points', add(sc.NurbsCurve(*SPLINE), "curve"), polygons='both', marker=0.03)
     found = labels_of(ob)
     assert found == ["d_0 = e0", "d_1 = f1", "d_2", "d_3", "d_4 = g3", "d_5 = e3", "g_1  1 : 2", "e_1  1 : 2", "f_2  1 : 3", "g_2  3 : 1",
                      "e_2  2 : 1", "f_3  2 : 1"]
@@ -87,14 +87,14 @@ def test_chains_of_bezier_cubics_have_the_polygon_of_the_spline_or_a_warning(cap
     assert np.allclose(ob.data.splinewright.value[0].points if isinstance(ob.data.splinewright.value, list) else ob.data.splinewright.value.points,
                        SPLINE[2], rtol=0, atol=1e-6)
     capfd.readouterr()
-    made('chain_points', add([sc.BezierCurve(CORNERS), sc.BezierCurve(CORNERS[::-1])], "no chain"))
+    made('chain_points', add([sc.BezierCurve(CORNERS), sc.BezierCurve(CORNERS[::-1])], "no chain"), polygons='both', marker=0.03)
     assert "no spline polygon: joint 1 is not C" in capfd.readouterr().out
 
 
 def test_marks_and_arrows_are_labeled():
     ob = made('marks', add(sc.HermiteCurve([(0, 0, 0), (3, 0, 0)], [(3, 3, 0), (3, -3, 0)]), "curve"), steps=2, derivatives=True)
     assert labels_of(ob) == ["u = 0", "u = 0.5", "u = 1", "R_0", "R_1"]
-    corner = made('marks', add(sc.NurbsCurve(1, [0, 0, 1, 2, 2], CORNERS[:3]), "corner"), steps=0, arrow=0.5)
+    corner = made('marks', add(sc.NurbsCurve(1, [0, 0, 1, 2, 2], CORNERS[:3]), "corner"), steps=0, arrow=0.5, derivatives=False)
     assert names_of(corner) == ["arrow T_{-}", "arrow T_{+}"]
     with pytest.raises(RuntimeError, match="nothing is drawn"):
-        made('marks', add(sc.BezierCurve(CORNERS), "smooth"), steps=0)
+        made('marks', add(sc.BezierCurve(CORNERS), "smooth"), steps=0, derivatives=False)
