@@ -125,7 +125,8 @@ CONSTRUCTION = Menu('construction', "Construction", (
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE')), *_others(SHAPES, 'write_formulas'), _sight('LABELS')), 'HELP')
+    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE'), ('halving', 'NONE'), ('chain_points', 'NONE'), ('marks', 'NONE')),
+    *_made(FOLLOWED, ('hulls', 'NONE')), *_others(SHAPES, 'write_formulas'), _sight('LABELS')), 'HELP')
 SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name != 'LABELS'), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (

@@ -1,8 +1,8 @@
-"""Materials of a picture: each function has its color, axes and sums have theirs. A slot's material is the user's to change."""
+"""Materials of a picture: each function has its color, axes and sums have theirs, marks of one letter have one. A slot's material is the user's to change."""
 
 import bpy
 
-from ...core.formulas import axes, functions
+from ...core.formulas import axes, functions, signs
 from ..data import store
 
 #: The names by which splines were given their slots last, on the Curve.
@@ -34,9 +34,10 @@ def show(data, names):
 
 
 def slots_of(names):
-    """The slot of each name: of axes and ticks, of sums, of grids, of others in their order."""
-    known = list(dict.fromkeys(name for name in names if _kind(name) not in _OTHERS))
-    return [_OTHERS[_kind(name)] if _kind(name) in _OTHERS else len(_FIRST) + known.index(name) for name in names]
+    """The slot of each name: of axes and ticks, of sums, of grids, of others in their order. Marks and arrows of a letter have one."""
+    groups = [signs.group_of(name) for name in names]
+    known = list(dict.fromkeys(group for name, group in zip(names, groups) if _kind(name) not in _OTHERS))
+    return [_OTHERS[_kind(name)] if _kind(name) in _OTHERS else len(_FIRST) + known.index(group) for name, group in zip(names, groups)]
 
 
 def _kind(name):

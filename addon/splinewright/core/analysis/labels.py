@@ -1,10 +1,10 @@
-"""Names of what lectures name: control points, weights, knots, functions, levels of a construction; and where they stand."""
+"""Names of what lectures name: control points, weights, knots, functions, levels of a construction, marks; and where they stand."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from ..formulas import functions
+from ..formulas import functions, signs
 from ..shape import definition as definitions
 from ..shape import parameters
 from ..verbs import verbs
@@ -73,6 +73,8 @@ def _of_picture(definition):
         kind, _, rest = piece.name.partition(" ")
         if kind == functions.TICK:
             found.append(Label("", "", rest, tuple(curve.points[0].tolist()), piece.name))
+        elif kind in (signs.MARK, signs.ARROW):
+            found.append(Label(*signs.named(piece.name), tuple(signs.place_of(piece.name, curve.points).tolist()), piece.name))
         elif kind == "level":
             found += _of_level(piece.name, int(rest), curve.points)
         elif piece.name.endswith("}") and piece.name not in named:

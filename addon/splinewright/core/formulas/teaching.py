@@ -5,13 +5,20 @@ import numpy as np
 from ..base.failures import Refusal
 from ..base.library import sc
 from ..shape import definition as definitions
+from ..verbs import verbs
+from . import signs
 from .functions import Part
+
+
+def curves_of(definition):
+    """The curves of a definition. Raises Refusal where there are none."""
+    _require_curves(definition)
+    return verbs.curves_of(definition)
 
 
 def curve_of(definition, piece):
     """A curve of a definition; pieces are counted from 1. Raises Refusal where there is none."""
-    if not definition.has_curves:
-        raise Refusal("it is made of patches: a curve is needed")
+    _require_curves(definition)
     return piece_of(definition, piece)
 
 
@@ -21,6 +28,11 @@ def piece_of(definition, piece):
         raise Refusal(f"there is no piece {piece}: the {'curve' if definition.has_curves else 'surface'} has {len(definition.pieces)}")
     value = definitions.to_value(definition)
     return value[piece - 1] if definition.form in ('curves', 'patch_set') else value
+
+
+def _require_curves(definition):
+    if not definition.has_curves:
+        raise Refusal("it is made of patches: a curve is needed")
 
 
 def construction(curve, position, scheme, marker, first=0, last=None):
@@ -37,7 +49,7 @@ def construction(curve, position, scheme, marker, first=0, last=None):
     last = highest if last is None else min(last, highest)
     if first > last:
         raise Refusal(f"the levels are 0 to {highest}: there is none from {first} to {last}")
-    shown = [Part(f"level {number}", polyline) for number in range(first, last + 1) for polyline in _polylines(levels[number])]
+    shown = [Part(f"level {number}", polyline) for number in range(first, last + 1) for polyline in signs.polygon(levels[number])]
     point = _point(curve, u)
     if marker > 0.0 and point is not None and (last == highest or not shown):
         shown.append(Part("point", sc.conics.circle(point, marker)))
@@ -97,13 +109,3 @@ def bezier_at(curve, u):
     knots = np.unique(curve.knots[(curve.knots >= start) & (curve.knots <= end)])
     i = min(int(np.searchsorted(knots, u, 'right')) - 1, len(knots) - 2)
     return curve.to_bezier()[i], (u - knots[i]) / (knots[i + 1] - knots[i])
-
-
-def _polylines(points):
-    """The polygon of homogeneous points, as curves of degree 1. A leg with both ends at infinity is left out."""
-    is_leg = (points[:-1, 3] != 0.0) | (points[1:, 3] != 0.0)
-    runs = np.flatnonzero(np.diff(np.concatenate([[0], is_leg, [0]])))
-    for first, last in runs.reshape(-1, 2):
-        row = points[first:last + 1]
-        knots = np.concatenate([[0.0], np.arange(len(row)), [len(row) - 1.0]])
-        yield sc.NurbsCurve.from_homogeneous(1, knots, row)

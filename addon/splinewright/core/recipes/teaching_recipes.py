@@ -6,7 +6,7 @@ from ..shape import definition as definitions
 from . import wanted
 from .recipe import Parameter, Recipe, Result
 
-_PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
+PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
 _SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", choices=(
     ("de_boor", "de Boor", "On the knots of the curve: every corner cut is a knot inserted"),
     ("casteljau", "de Casteljau", "Of the Bezier curve in the span, homogeneous: it never breaks"),
@@ -56,16 +56,19 @@ def _numbers(text):
 def _picture(family, show, width, height, axes):
     zero = functions.zero_functions(family)
     said = f"zero everywhere: {', '.join(zero)}" if zero else ""
-    return _of_parts(functions.picture(family, show, width, height, axes), said)
+    return of_parts(functions.picture(family, show, width, height, axes), said)
 
 
-def _of_parts(parts, said=""):
+def of_parts(parts, said="", warning=""):
+    """The Result that is a picture. Raises Refusal where it has no parts."""
+    if not parts:
+        raise Refusal("nothing is drawn: choose parts to show, or a radius")
     drawn = definitions.from_value([part.curve for part in parts])
-    return Result(definitions.named(drawn, [part.name for part in parts]), said=said)
+    return Result(definitions.named(drawn, [part.name for part in parts]), said=said, warning=warning)
 
 
 def _construction(inputs, piece, position, scheme, marker, first_level, last_level):
-    return _of_parts(teaching.construction(teaching.curve_of(inputs[0], piece).to_nurbs(), position, scheme, marker, first_level, last_level))
+    return of_parts(teaching.construction(teaching.curve_of(inputs[0], piece).to_nurbs(), position, scheme, marker, first_level, last_level))
 
 
 def _axes(points, spatial, grid, tick, step, **limits):
@@ -92,12 +95,12 @@ FUNCTIONS = Recipe(
     (_FAMILY, _DEGREE, _KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES), _functions, resolution=16, thickness=0.006)
 RECIPES = (
     Recipe("basis", "Basis Functions", "The graphs of the basis functions of a curve, exact; they follow when its knots change",
-           (_WIDTH, _HEIGHT, _PIECE, _SHOW, _AXES), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
+           (_WIDTH, _HEIGHT, PIECE, _SHOW, _AXES), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
     Recipe("construction", "Construction of a Point",
            "The polygons by which a point of a curve is found; they follow when the curve is edited",
            (Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0), _SCHEME,
             Parameter("marker", "Marker", "Radius of a circle around the point; 0 for none", 0.03, 0.0, unit='LENGTH'),
-            _PIECE, Parameter("first_level", "First Level", "Of the polygons that are drawn; 0 are the control points", 0, 0, 255),
+            PIECE, Parameter("first_level", "First Level", "Of the polygons that are drawn; 0 are the control points", 0, 0, 255),
             Parameter("last_level", "Last Level", "Of the polygons that are drawn; the highest one is the point", 255, 0, 255)),
            _construction, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
     FUNCTIONS, AXES,
