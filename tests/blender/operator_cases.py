@@ -214,4 +214,6 @@ BECAUSE = {
     'project_points': "makes meshes of points", 'radius_here': "changes the radius, which lies along a curve",
     'tilt_here': "changes the tilt, which lies along a curve", 'bake_animation': "leaves keys, and no shape",
     'unbake': "brings back the shapes of before",
+    **dict.fromkeys(('start_lesson', 'lesson_step', 'show_solution'), "makes the shapes of lessons, which recipes make"),
+    'check_answer': "says whether an answer is right", 'leave_lesson': "removes a scene, or keeps it",
 }

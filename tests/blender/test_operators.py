@@ -12,12 +12,12 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Choose', 'Clamp', 'Clear', 'Convert',
+VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Check', 'Choose', 'Clamp', 'Clear', 'Convert',
          'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
          'Fill', 'Fillet', 'Finish', 'Fit', 'Flip', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
          'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',
          'Remove', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort',
-         'Split', 'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update', 'Write'}
+         'Split', 'Start', 'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update', 'Write'}
 
 
 def kind_of(name):

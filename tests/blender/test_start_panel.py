@@ -75,7 +75,7 @@ def test_what_is_offered(state):
     made(state)
     assert start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
     layout = drawn()
-    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or ({'import_json', 'add_sample', 'manual'} if not STATES[state][0] or state == 'a cube' else set()))
+    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or ({'import_json', 'add_sample', 'start_lesson', 'manual'} if not STATES[state][0] or state == 'a cube' else set()))
     assert ("Add" in layout.texts) == ('import_json' in " ".join(layout.operators))
 
 

@@ -47,10 +47,12 @@ ROOMS_WITHIN = {
         'analysis': {'base', 'formulas', 'net', 'shape', 'verbs'},
         'rounding': {'base', 'joints', 'verbs'},
         'surfaces': {'base', 'joints', 'meets', 'shape', 'verbs'},
+        'lessons': {'base', 'recipes'},
         'recipes': {'base', 'deform', 'drawing', 'formulas', 'joints', 'meets', 'rounding', 'shape', 'surfaces', 'verbs'},
     },
     'bridge': {
         'data': set(),
+        'lessons': {'data', 'follow', 'recipes', 'shape'},
         'mesh': {'data'},
         'curve': {'data'},
         'recipes': {'data'},

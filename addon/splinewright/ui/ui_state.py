@@ -27,6 +27,7 @@ class UiState:
     frame_before: tuple = ()                            # the name of the scene and its frame when undo began with a net out
     finishing: object = None                            # the finishing.Finishing that goes on, listening to Esc
     is_unawaited: bool = False                          # whether no script waits for what Blender is asked to look for
+    lesson_word: str = ""                               # whether the last answer of a lesson was right, in words
     to_say: list = field(default_factory=list)          # sentences for a window, where no operator can report them
     looks_left: int = 0
     is_deaf: bool = False                               # whether the main thread left another one waiting

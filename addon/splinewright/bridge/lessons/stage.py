@@ -1,0 +1,180 @@
+"""The scene of a lesson: steps build its shapes, and answers are kept with it."""
+
+import json
+
+import bpy
+
+from ...core.base.failures import Refusal
+from ...core.lessons import checking
+from ...core.lessons.measures import Shown
+from ...core.recipes.table import RECIPES
+from ..data import blocks, settings
+from ..follow import follow, making
+from ..recipes import recipes
+from ..shape import recipe_edit, shape
+
+#: On a scene: the name of its lesson, the number of the step from 0, the answers as JSON, the name of the scene before.
+LESSON, STEP, ANSWERS, BEFORE = (f"splinewright_lesson{suffix}" for suffix in ("", "_step", "_answers", "_before"))
+#: On an object: the name by which a lesson knows it.
+SHAPE = "splinewright_lesson_shape"
+
+
+def lesson_of(scene):
+    """The name of the lesson that a scene is for, or ""."""
+    return str(scene.get(LESSON, ""))
+
+
+def step_of(scene):
+    """The number of its step, from 0."""
+    found = scene.get(STEP, 0)
+    return found if isinstance(found, int) and found >= 0 else 0
+
+
+def begin(lesson, before):
+    """A new scene with the first step of a lesson; before: the scene that is shown now. Raises Refusal or an error of the library."""
+    scene = bpy.data.scenes.new(lesson.title)
+    scene[LESSON], scene[STEP], scene[ANSWERS], scene[BEFORE] = lesson.name, 0, "{}", before.name
+    try:
+        rebuild(scene, lesson, 0)
+    except Exception:
+        remove(scene)
+        raise
+    return scene
+
+
+def rebuild(scene, lesson, number):
+    """Make the shapes of a step again, as they are when a learner comes to it: of all steps up to it, with their changes. Raises as
+    begin()."""
+    _clear(scene)
+    for step in lesson.steps[:number + 1]:
+        _play(scene, step)
+    scene[STEP] = number
+
+
+def advance(scene, lesson):
+    """Go to the next step with the shapes as they are. Raises as begin(), and stays then."""
+    number = step_of(scene) + 1
+    if number >= len(lesson.steps):
+        raise Refusal("this is the last step")
+    _play(scene, lesson.steps[number])
+    scene[STEP] = number
+
+
+def _play(scene, step):
+    for make in step.make:
+        _make(scene, make)
+    change(scene, step.change)
+
+
+def _make(scene, make):
+    if make.recipe:
+        recipe = RECIPES[make.recipe]
+        graph = _graph(scene)
+        if make.inputs:
+            ob = making.from_objects(recipe, [object_of(scene, name) for name in make.inputs], make.settings, None, scene, graph)
+        else:
+            data = making.from_points(recipe, None, make.settings, scene)
+            ob = bpy.data.objects.new(data.name, data)
+    else:
+        data = shape.new_data(make.shape, make.value, (12, 12, settings.AUTOMATIC))
+        ob = bpy.data.objects.new(make.shape, data)
+    ob[SHAPE] = make.shape
+    scene.collection.objects.link(ob)
+    _graph(scene)
+
+
+def change(scene, changes):
+    """Give shapes other values or settings. Raises as begin()."""
+    for one in changes:
+        data = object_of(scene, one.shape).data
+        if one.value is not None:
+            shape.set_value(data, one.value)
+        elif recipes.follows(data):
+            follow.set_parameters(data, one.settings, _graph(scene))
+        else:
+            recipe_edit.set_parameters(data, one.settings)
+        follow.refresh({data}, _graph(scene))
+
+
+def _graph(scene):
+    layer = scene.view_layers[0]
+    layer.update()
+    return layer.depsgraph
+
+
+def object_of(scene, name):
+    """The object of a shape of the lesson. Raises Refusal where a learner removed it."""
+    found = next((ob for ob in scene.objects if ob.get(SHAPE) == name), None)
+    if found is None or not shape.has_shape(found):
+        raise Refusal(f"{name} is gone: Reset brings it back")
+    return found
+
+
+def shapes_of(scene):
+    """{name: core.lessons.measures.Shown} of the shapes that are there. Raises UnreadableDefinition."""
+    found = [ob for ob in scene.objects if SHAPE in ob.keys() and shape.has_shape(ob)]
+    return {str(ob[SHAPE]): Shown(shape.value_of(ob.data), recipes.parameters(ob.data) if recipes.has(ob.data) else {}) for ob in found}
+
+
+def answer(scene, lesson, given=None):
+    """Whether the question of the step is answered, by the shapes or by what is given; it is kept. Raises what measures raise."""
+    number = step_of(scene)
+    is_right = checking.is_right(lesson.steps[number].ask, shapes_of(scene), given)
+    known = answers(scene)
+    tries = known.get(str(number), {}).get('tries', 0) + 1
+    known[str(number)] = {'answer': given, 'right': is_right, 'tries': tries}
+    scene[ANSWERS] = json.dumps(known)
+    return is_right
+
+
+def answers(scene):
+    """{number of a step as text: {'answer', 'right', 'tries'}}; none where they are damaged."""
+    try:
+        found = json.loads(scene.get(ANSWERS, "{}"))
+    except (TypeError, ValueError):
+        return {}
+    return found if isinstance(found, dict) and all(isinstance(one, dict) for one in found.values()) else {}
+
+
+def keep(scene):
+    """Make it an ordinary scene."""
+    for owner, names in ((scene, (LESSON, STEP, ANSWERS, BEFORE)), *((ob, (SHAPE,)) for ob in scene.objects)):
+        for name in names:
+            if name in owner.keys():
+                del owner[name]
+
+
+def before(scene):
+    """The scene that was shown before the lesson, or another one; None where there is none."""
+    others = [other for other in bpy.data.scenes if other != scene]
+    return next((other for other in others if other.name == scene.get(BEFORE)), others[0] if others else None)
+
+
+def remove(scene):
+    """Take the scene of a lesson out of the file, with all that is in it alone."""
+    _clear(scene)
+    bpy.data.scenes.remove(scene)
+
+
+def _clear(scene):
+    for ob in list(scene.collection.all_objects):
+        if ob.users_scene == (scene,):
+            data = ob.data
+            bpy.data.objects.remove(ob)
+            if isinstance(data, (bpy.types.Mesh, bpy.types.Curve)):
+                _remove_with_materials(data)
+
+
+def _remove_with_materials(data):
+    materials = set(data.materials) - {None}
+    blocks.remove(data)
+    for material in materials:
+        if not material.users:
+            bpy.data.materials.remove(material)
+
+
+def is_damaged(scene, lesson):
+    """Whether the scene says a step that the lesson has not."""
+    return step_of(scene) >= len(lesson.steps)
+
+

@@ -1,0 +1,273 @@
+"""Lessons from JSON. A file is read, never run: what it may say is written here, and anything else is refused with its place."""
+
+import json
+
+from ..base.failures import Refusal
+from ..base.library import sc
+from ..recipes.table import RECIPES
+from .lesson import VALUE, Ask, Change, Condition, Lesson, Make, Measure, Move, Step, Watch
+from .measures import KINDS
+
+FORMAT = 1
+#: Most bytes of a file, steps of a lesson, entries of a list, characters of a text.
+MOST_BYTES, MOST_STEPS, MOST_ENTRIES, MOST_TEXT = 2_000_000, 60, 40, 2000
+_VIEWS = ('TOP', 'FRONT', 'RIGHT', 'FREE')
+_RELATIONS = ('near', 'above', 'below')
+
+
+def read(text):
+    """The Lesson of a text. Raises Refusal that says where it is wrong."""
+    if len(text) > MOST_BYTES:
+        raise Refusal(f"the file has more than {MOST_BYTES:,} characters")
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise Refusal(f"it is not JSON: {error}") from None
+    return _lesson(_Place("lesson", found))
+
+
+class _Place:
+    """A part of a file, and where it is."""
+
+    def __init__(self, where, found):
+        self.where, self.found = where, found
+
+    def fail(self, what):
+        raise Refusal(f"{self.where}: {what}")
+
+    def fields(self, needed, optional=()):
+        """Of an object: {name: _Place} of the fields that are there."""
+        if not isinstance(self.found, dict):
+            self.fail("an object is expected")
+        for name in self.found:
+            if name not in needed and name not in optional:
+                self.fail(f"{name!r} is not known; there may be {', '.join((*needed, *optional))}")
+        for name in needed:
+            if name not in self.found:
+                self.fail(f"{name!r} is missing")
+        return {name: _Place(f"{self.where}, {name}", value) for name, value in self.found.items()}
+
+    def entries(self):
+        """Of a list: a _Place each."""
+        if not isinstance(self.found, list):
+            self.fail("a list is expected")
+        if len(self.found) > MOST_ENTRIES:
+            self.fail(f"there are {len(self.found)} entries: {MOST_ENTRIES} are the most")
+        return [_Place(f"{self.where} {i + 1}", value) for i, value in enumerate(self.found)]
+
+    def text(self, choices=()):
+        if not isinstance(self.found, str) or not self.found or len(self.found) > MOST_TEXT:
+            self.fail(f"a text of at most {MOST_TEXT:,} characters is expected")
+        if choices and self.found not in choices:
+            self.fail(f"{self.found!r} must be one of {', '.join(choices)}")
+        return self.found
+
+    def number(self):
+        if isinstance(self.found, bool) or not isinstance(self.found, (int, float)) or not abs(self.found) < 1e12:
+            self.fail("a number below 1e12 is expected")
+        return float(self.found)
+
+    def whole(self, least=0):
+        if isinstance(self.found, bool) or not isinstance(self.found, int) or not least <= self.found < 10**6:
+            self.fail(f"a whole number from {least} is expected")
+        return self.found
+
+
+def _lesson(place):
+    found = place.fields(('format', 'name', 'title', 'steps'), ('lectures',))
+    if found['format'].found != FORMAT:
+        found['format'].fail(f"it is {found['format'].found!r}: this version reads {FORMAT}")
+    steps = found['steps'].found
+    if not isinstance(steps, list) or not 1 <= len(steps) <= MOST_STEPS:
+        found['steps'].fail(f"a list of 1 to {MOST_STEPS} steps is expected")
+    known, read_steps = {}, []
+    for i, step in enumerate(steps):
+        read_steps.append(_step(_Place(f"step {i + 1}", step), known))
+    lectures = tuple(one.text() for one in found['lectures'].entries()) if 'lectures' in found else ()
+    return Lesson(found['name'].text(), found['title'].text(), lectures, tuple(read_steps))
+
+
+def _step(place, known):
+    """known: {name: recipe or ""} of the shapes that earlier steps made; those of this one are added."""
+    found = place.fields(('text',), ('make', 'change', 'view', 'overlays', 'move', 'watch', 'ask', 'hint', 'solution', 'wrong'))
+    make = tuple(_make(one, known) for one in _list(found, 'make'))
+    step = Step(
+        found['text'].text(), make, _changes(found.get('change'), known),
+        found['view'].text(_VIEWS) if 'view' in found else "",
+        tuple(one.text() for one in _list(found, 'overlays')),
+        tuple(_move(one, known) for one in _list(found, 'move')),
+        tuple(_watch(one, known) for one in _list(found, 'watch')),
+        _ask(found['ask'], known) if 'ask' in found else None,
+        found['hint'].text() if 'hint' in found else "",
+        _changes(found.get('solution'), known),
+        tuple(_changes(one, known) for one in _list(found, 'wrong')))
+    if step.ask is not None and step.ask.kind == 'do' and not step.solution:
+        place.fail("what is to be done needs a solution")
+    return step
+
+
+def _list(found, name):
+    return found[name].entries() if name in found else []
+
+
+def _make(place, known):
+    found = place.fields(('shape',), ('value', 'recipe', 'of', 'set'))
+    name = found['shape'].text()
+    if name in known:
+        found['shape'].fail(f"{name!r} is there already")
+    if ('value' in found) == ('recipe' in found):
+        place.fail("either a value or a recipe is expected")
+    if 'value' in found:
+        made = Make(name, _value(found['value']))
+    else:
+        made = _made_by_recipe(found, name, known)
+    known[name] = made.recipe
+    return made
+
+
+def _made_by_recipe(found, name, known):
+    recipe = found['recipe'].text()
+    if recipe not in RECIPES:
+        found['recipe'].fail(f"there is no recipe {recipe!r}")
+    inputs = tuple(_shape(one, known) for one in _list(found, 'of'))
+    if not RECIPES[recipe].takes(len(inputs)):
+        found['recipe'].fail(f"it is made from {RECIPES[recipe].wanted or 'no shapes'}, not from {len(inputs)}")
+    return Make(name, None, recipe, inputs, _settings(found.get('set'), recipe))
+
+
+def _changes(place, known):
+    return tuple(_change(one, known) for one in place.entries()) if place is not None else ()
+
+
+def _change(place, known):
+    found = place.fields(('shape',), ('value', 'set'))
+    name = _shape(found['shape'], known)
+    if ('value' in found) == ('set' in found):
+        place.fail("either a value or settings are expected")
+    if 'value' in found:
+        if known[name]:
+            place.fail(f"{name!r} is made by a recipe: it has settings, and no value of a file")
+        return Change(name, _value(found['value']))
+    return Change(name, None, _settings(found['set'], known[name]))
+
+
+def _settings(place, recipe):
+    if place is None:
+        return {}
+    if not recipe:
+        place.fail("the shape has no recipe, so it has no settings")
+    if not isinstance(place.found, dict):
+        place.fail("an object is expected")
+    try:
+        return RECIPES[recipe].checked(place.found)
+    except (Refusal, TypeError) as error:
+        place.fail(str(error))
+
+
+def _value(place):
+    """A splinecore value, as splinecore.dumps() writes it."""
+    try:
+        return sc.loads(json.dumps(place.found))
+    except (sc.Error, ValueError, TypeError) as error:
+        place.fail(f"it is not a curve or patch: {error}")
+
+
+def _shape(place, known):
+    name = place.text()
+    if name not in known:
+        place.fail(f"there is no shape {name!r} yet")
+    return name
+
+
+def _move(place, known):
+    found = place.fields(('shape',), ('points', 'setting'))
+    name = _shape(found['shape'], known)
+    if ('points' in found) == ('setting' in found):
+        place.fail("either points or a setting is expected")
+    if 'points' in found:
+        return Move(name, tuple(one.whole() for one in found['points'].entries()))
+    return Move(name, (), _setting(found['setting'], known[name]))
+
+
+def _setting(place, recipe):
+    name = place.text()
+    if not recipe or name not in RECIPES[recipe].defaults:
+        place.fail(f"the shape has no setting {name!r}")
+    return name
+
+
+def _watch(place, known):
+    found = place.fields(('text',), ('values',))
+    values = tuple(_measure(one, known) for one in _list(found, 'values'))
+    text = found['text'].text()
+    if any(int(number) >= len(values) for number in VALUE.findall(text)):
+        found['text'].fail("{0}, {1} … stand for its values")
+    return Watch(text, values)
+
+
+def _measure(place, known):
+    if not isinstance(place.found, dict) or place.found.get('measure') not in KINDS:
+        place.fail(f"a measure is expected: {', '.join(KINDS)}")
+    kind = place.found['measure']
+    found = place.fields(('measure', 'of', *KINDS[kind].takes), ('piece',))
+    name = _shape(found['of'], known)
+    arguments = {}
+    for argument in (*KINDS[kind].takes, *(('piece',) if 'piece' in found else ())):
+        arguments[argument] = _argument(argument, found[argument], name, known)
+    return Measure(kind, name, arguments)
+
+
+def _argument(name, place, shape, known):
+    if name == 'to':
+        return _shape(place, known)
+    if name == 'name':
+        return _setting(place, known[shape])
+    if name in ('index', 'piece'):
+        return place.whole(1 if name == 'piece' else 0)
+    return _quantity(place, known)
+
+
+def _quantity(place, known):
+    """A number or a Measure."""
+    return _measure(place, known) if isinstance(place.found, dict) else place.number()
+
+
+def _ask(place, known):
+    kind = next((kind for kind in ('do', 'number', 'choose') if isinstance(place.found, dict) and kind in place.found), None)
+    if kind is None:
+        place.fail("one of do, number, choose is expected")
+    return {'do': _ask_do, 'number': _ask_number, 'choose': _ask_choice}[kind](place, known)
+
+
+def _ask_do(place, known):
+    conditions = tuple(_condition(one, known) for one in place.fields(('do',))['do'].entries())
+    if not conditions:
+        place.fail("a condition is expected")
+    return Ask('do', conditions)
+
+
+def _condition(place, known):
+    relation = next((one for one in _RELATIONS if isinstance(place.found, dict) and one in place.found), None)
+    if relation is None:
+        place.fail(f"one of {', '.join(_RELATIONS)} is expected")
+    found = place.fields(('that', relation), ('within',) if relation == 'near' else ())
+    within = found['within'].number() if 'within' in found else 0.0
+    if relation == 'near' and not within > 0.0:
+        place.fail("near needs a number above 0 as within")
+    return Condition(_measure(found['that'], known), relation, _quantity(found[relation], known), within)
+
+
+def _ask_number(place, known):
+    found = place.fields(('number', 'within'))
+    within = found['within'].number()
+    if not within > 0.0:
+        found['within'].fail("a number above 0 is expected")
+    return Ask('number', value=_quantity(found['number'], known), within=within)
+
+
+def _ask_choice(place, known):
+    found = place.fields(('choose', 'right'))
+    choices, right = tuple(one.text() for one in found['choose'].entries()), found['right'].whole()
+    if len(choices) < 2 or right >= len(choices):
+        place.fail("two choices or more are expected, and the number of the right one from 0")
+    return Ask('choose', choices=choices, right=right)

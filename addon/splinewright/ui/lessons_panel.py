@@ -1,0 +1,78 @@
+"""The lesson of a scene, in the sidebar: what a step says, what is watched, and the question."""
+
+import bpy
+
+from ..bridge.lessons import stage
+from ..core.base.failures import FAILURES, sentence
+from ..core.lessons import checking
+from . import texts
+from .operators import lessons
+from .sub_panel import SidePanel
+from .ui_state import ui_state
+
+
+class SPLINEWRIGHT_PT_lesson(SidePanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_lesson"
+    bl_label = "Lesson"
+    bl_order = -1
+
+    @classmethod
+    def poll(cls, context):
+        return bool(stage.lesson_of(context.scene))
+
+    def draw(self, context):
+        layout = self.layout
+        try:
+            lesson = lessons.current(context.scene)
+        except FAILURES as error:
+            texts.draw_problem(layout, sentence(error))
+            _draw_end(layout)
+            return
+        number = stage.step_of(context.scene)
+        step = lesson.steps[number]
+        layout.label(text=f"{lesson.title}: {number + 1} of {len(lesson.steps)}")
+        texts.draw_note(layout, step.text, icon='NONE')
+        _draw_watched(layout, context.scene, step)
+        if step.ask is not None:
+            _draw_question(layout, context.scene, step, number)
+        row = layout.row(align=True)
+        for way, text in (('BACK', "Back"), ('RESET', "Reset"), ('NEXT', "Next")):
+            row.operator("splinewright.lesson_step", text=text).way = way
+        _draw_end(layout)
+
+
+def _draw_watched(layout, scene, step):
+    if not step.watch:
+        return
+    column = layout.box().column(align=True)
+    for watch in step.watch:
+        try:
+            column.label(text=checking.watched(watch, stage.shapes_of(scene)))
+        except FAILURES as error:
+            texts.draw_note(column, sentence(error))
+
+
+def _draw_question(layout, scene, step, number):
+    box, ask = layout.box(), step.ask
+    if ask.kind == 'choose':
+        for i, choice in enumerate(ask.choices):
+            box.operator("splinewright.check_answer", text=choice).choice = i
+    else:
+        if ask.kind == 'number':
+            box.prop(scene, "splinewright_answer")
+        box.operator("splinewright.check_answer", icon='CHECKMARK')
+    known = stage.answers(scene).get(str(number))
+    if known and ui_state.lesson_word:
+        box.label(text=ui_state.lesson_word, icon='CHECKMARK' if known.get('right') else 'CANCEL')
+        if not known.get('right') and step.hint:
+            texts.draw_note(box, step.hint, icon='LIGHT')
+    box.operator("splinewright.show_solution")
+
+
+def _draw_end(layout):
+    row = layout.row(align=True)
+    row.operator("splinewright.leave_lesson", text="Leave").how = 'REMOVE'
+    row.operator("splinewright.leave_lesson", text="Keep Scene").how = 'KEEP'
+
+
+CLASSES = (SPLINEWRIGHT_PT_lesson,)

@@ -1,0 +1,130 @@
+"""Lessons: every step of each is made, what is asked is wrong before and right after its solution, and leaving leaves nothing."""
+
+import bpy
+import numpy as np
+import pytest
+
+from shapes import add
+from support import part, scene_state, splinecore as sc
+
+shelf, stage, failures, lessons, panel = (part(name) for name in (
+    'bridge.lessons.shelf', 'bridge.lessons.stage', 'core.base.failures', 'ui.operators.lessons', 'ui.lessons_panel'))
+LESSONS = shelf.all_lessons()
+
+
+@pytest.fixture(params=LESSONS)
+def lesson(request):
+    return LESSONS[request.param]
+
+
+def started(lesson):
+    assert bpy.ops.splinewright.start_lesson('EXEC_DEFAULT', True, lesson=lesson.name) == {'FINISHED'}
+    scene = bpy.data.scenes[lesson.title]
+    bpy.context.window.scene = scene
+    return scene
+
+
+def step(way):
+    return bpy.ops.splinewright.lesson_step('EXEC_DEFAULT', True, way=way)
+
+
+def definitions(scene):
+    return {name: sc.dumps(shown.value) for name, shown in stage.shapes_of(scene).items()}
+
+
+def test_every_step_is_made_and_every_question_has_its_answer(lesson):
+    scene = started(lesson)
+    for number, each in enumerate(lesson.steps):
+        assert stage.step_of(scene) == number
+        for watch in each.watch:
+            assert part('core.lessons.checking').watched(watch, stage.shapes_of(scene))
+        if each.ask is not None and each.ask.kind == 'do':
+            assert not stage.answer(scene, lesson)
+            for wrong in each.wrong:
+                stage.change(scene, wrong)
+                assert not stage.answer(scene, lesson)
+            assert bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True) == {'FINISHED'}
+            assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True) == {'FINISHED'}
+            assert stage.answers(scene)[str(number)]['right']
+        elif each.ask is not None and each.ask.kind == 'choose':
+            for choice in range(len(each.ask.choices)):
+                bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True, choice=choice)
+                assert stage.answers(scene)[str(number)]['right'] == (choice == each.ask.right)
+        if number + 1 < len(lesson.steps):
+            assert step('NEXT') == {'FINISHED'}
+    with pytest.raises(RuntimeError, match="this is the last step"):
+        step('NEXT')
+
+
+def test_back_and_reset_give_a_step_as_it_begins(lesson):
+    scene = started(lesson)
+    begun = [definitions(scene)]
+    for _ in lesson.steps[1:]:
+        step('NEXT')
+        begun.append(definitions(scene))
+    for ob in scene.objects:
+        ob.location.x += 3.0
+    step('RESET')
+    assert definitions(scene) == begun[-1]
+    for wanted in begun[-2::-1]:
+        assert step('BACK') == {'FINISHED'} and definitions(scene) == wanted
+    with pytest.raises(RuntimeError, match="This is the first step"):
+        step('BACK')
+
+
+def test_leaving_leaves_the_file_as_it_was(lesson):
+    add(sc.BezierCurve(np.eye(3)), "mine")
+    before, own = scene_state(), bpy.context.scene
+    scene = started(lesson)
+    step('NEXT')
+    assert bpy.ops.splinewright.leave_lesson('EXEC_DEFAULT', True) == {'FINISHED'}
+    assert bpy.context.scene == own and scene_state() == before and len(bpy.data.scenes) == 1
+
+
+def test_a_kept_scene_is_an_ordinary_one(lesson):
+    scene = started(lesson)
+    bpy.ops.splinewright.leave_lesson('EXEC_DEFAULT', True, how='KEEP')
+    assert bpy.context.scene == scene and not stage.lesson_of(scene) and stage.SHAPE not in scene.objects[0].keys()
+    assert not bpy.ops.splinewright.check_answer.poll() and not panel.SPLINEWRIGHT_PT_lesson.poll(bpy.context)
+
+
+def test_answers_are_kept_in_the_file(tmp_path):
+    lesson = LESSONS["corner-cutting"]
+    scene = started(lesson)
+    for _ in range(3):
+        step('NEXT')
+    bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True, choice=0)
+    bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True, choice=1)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "lesson.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "lesson.blend"))
+    scene = bpy.data.scenes[lesson.title]
+    assert stage.step_of(scene) == 3 and stage.answers(scene) == {"3": {'answer': 1, 'right': True, 'tries': 2}}
+
+
+def test_a_shape_that_is_gone_is_a_sentence_and_reset_brings_it_back():
+    lesson = LESSONS["corner-cutting"]
+    scene = started(lesson)
+    step('NEXT')
+    step('NEXT')
+    bpy.data.objects.remove(stage.object_of(scene, "steps"))
+    with pytest.raises(RuntimeError, match="there is no shape 'steps' now"):
+        bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True)
+    with pytest.raises(RuntimeError, match="steps is gone: Reset brings it back"):
+        bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True)
+    step('RESET')
+    assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True) == {'FINISHED'}
+
+
+def test_a_lesson_that_the_add_on_has_no_more_can_be_left():
+    scene = started(LESSONS["corner-cutting"])
+    scene[stage.LESSON] = "lost"
+    with pytest.raises(RuntimeError, match="there is no lesson 'lost' here"):
+        step('NEXT')
+    assert bpy.ops.splinewright.leave_lesson('EXEC_DEFAULT', True) == {'FINISHED'} and len(bpy.data.scenes) == 1
+
+
+@pytest.mark.parametrize('damage', (3, "{", "[]", '{"1": 2}'))
+def test_damaged_answers_are_none(damage):
+    scene = started(LESSONS["corner-cutting"])
+    scene[stage.ANSWERS] = damage
+    assert stage.answers(scene) == {}

@@ -1,0 +1,141 @@
+"""Lessons as their files say them: what is read, what is measured and checked; whatever else a file says is a sentence with its place."""
+
+import copy
+import json
+
+import numpy as np
+import pytest
+
+import splinecore as sc
+from addon_core import core
+
+reading, measures, checking, failures = (core(f"lessons.{name}") if name != 'failures' else core("base.failures")
+                                         for name in ('reading', 'measures', 'checking', 'failures'))
+
+
+def value(shape):
+    return json.loads(sc.dumps(shape))
+
+
+CURVE = sc.BezierCurve([(0, 0, 0), (1, 2, 0), (3, 2.5, 0), (4, 0, 0)])
+LESSON = {
+    'format': 1, 'name': "corner-cutting", 'title': "Corner Cutting", 'lectures': ["001.65"],
+    'steps': [
+        {'text': "Four points and a parameter t.",
+         'make': [{'shape': "curve", 'value': value(CURVE)},
+                  {'shape': "steps", 'recipe': "construction", 'of': ["curve"], 'set': {'scheme': "casteljau", 'position': 0.5}}],
+         'view': "TOP", 'overlays': ["labels"], 'move': [{'shape': "steps", 'setting': "position"}, {'shape': "curve", 'points': [1, 2]}],
+         'watch': [{'text': "t = {0}, x = {1}", 'values': [{'measure': "setting", 'of': "steps", 'name': "position"},
+                                                           {'measure': "x", 'of': "curve", 'at': {'measure': "setting", 'of': "steps",
+                                                                                                 'name': "position"}}]}]},
+        {'text': "Set t so that the point lies at x = 1.5.",
+         'ask': {'do': [{'that': {'measure': "x", 'of': "curve", 'at': {'measure': "setting", 'of': "steps", 'name': "position"}},
+                         'near': 1.5, 'within': 0.01}]},
+         'hint': "x is 3 t + 3 t² - 2 t³.", 'solution': [{'shape': "steps", 'set': {'position': 0.3896}}],
+         'wrong': [[{'shape': "steps", 'set': {'position': 0.5}}]]},
+        {'text': "How many points has level 2 for degree n?", 'ask': {'choose': ["n", "n - 1", "n + 1"], 'right': 1}},
+        {'text': "x at t = 1/2?", 'ask': {'number': 2.0, 'within': 0.01}}]}
+
+
+def shown(position=0.5, curve=CURVE):
+    return {'curve': measures.Shown(curve, {}), 'steps': measures.Shown([curve], {'position': position, 'scheme': "casteljau"})}
+
+
+def test_a_lesson_is_read_and_its_answers_are_checked():
+    lesson = reading.read(json.dumps(LESSON))
+    first, second, third, fourth = lesson.steps
+    assert (lesson.name, lesson.title, lesson.lectures) == ("corner-cutting", "Corner Cutting", ("001.65",))
+    assert first.make[0].value == CURVE and first.make[1].inputs == ("curve",) and first.make[1].settings['scheme'] == "casteljau"
+    assert checking.watched(first.watch[0], shown()) == "t = 0.5, x = 2"
+    assert not checking.is_right(second.ask, shown()) and checking.is_right(second.ask, shown(second.solution[0].settings['position']))
+    assert not checking.is_right(second.ask, shown(second.wrong[0][0].settings['position']))
+    assert checking.is_right(third.ask, shown(), 1) and not checking.is_right(third.ask, shown(), 0)
+    assert checking.is_right(fourth.ask, shown(), 2.005) and not checking.is_right(fourth.ask, shown(), 2.1)
+    assert not checking.is_right(fourth.ask, shown())
+
+
+SPLINE = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0, 0), (1, 2, 0), (2, 0, 0), (3, 1, 0)], [1, 2, 1, 1])
+LOOP = sc.BezierCurve([(0, 0, 0), (3, 2, 0), (-2, 2, 0), (1, 0, 0)])
+
+
+@pytest.mark.parametrize('kind, arguments, wanted', (
+    ('x', {'at': 0.5}, 1.25), ('point_y', {'index': 1}, 2.0), ('weight', {'index': 1}, 2.0), ('count', {}, 4), ('degree', {}, 2),
+    ('multiplicity', {'at': 1.0}, 1), ('multiplicity', {'at': 2.0}, 3), ('c', {'at': 1.0}, 1), ('basis', {'index': 0, 'at': 0.5}, 0.25)))
+def test_measures_of_a_spline(kind, arguments, wanted):
+    found = measures.measured(measures.Measure(kind, "curve", arguments), shown(curve=SPLINE))
+    assert found == pytest.approx(wanted if kind != 'x' else SPLINE.evaluate(0.5)[0], abs=1e-12)
+
+
+def test_other_measures():
+    line = sc.BezierCurve([(0, 0, 0), (3, 4, 0)])
+    for kind, arguments, curve, wanted in (('length', {}, line, 5.0), ('speed', {'at': 0.3}, line, 5.0), ('self_intersections', {}, LOOP, 1),
+                                           ('self_intersections', {}, CURVE, 0), ('curvature', {'at': 0.5}, line, 0.0)):
+        assert measures.measured(measures.Measure(kind, "curve", arguments), shown(curve=curve)) == pytest.approx(wanted, abs=1e-9)
+    shapes = {**shown(curve=line), 'other': measures.Shown(sc.BezierCurve([(0, 0, 0), (3, 4, 2)]), {})}
+    assert measures.measured(measures.Measure('distance', "curve", {'to': "other"}), shapes) == pytest.approx(np.sqrt(100 / 29), rel=1e-3)
+
+
+def changed(*path, to):
+    """The lesson with something else at a place; None as `to` takes it away."""
+    other = copy.deepcopy(LESSON)
+    place = other
+    for name in path[:-1]:
+        place = place[name]
+    if to is None:
+        del place[path[-1]]
+    else:
+        place[path[-1]] = to
+    return other
+
+
+STEP = ('steps', 0)
+DO = ('steps', 1, 'ask', 'do', 0)
+
+
+@pytest.mark.parametrize('path, to, said', (
+    (('format',), 2, "this version reads 1"), (('title',), None, "'title' is missing"), (('title',), 3, "title: a text"),
+    (('steps',), [], "1 to 60 steps"), (('steps',), "many", "1 to 60 steps"), ((*STEP, 'run'), "import os", "step 1: 'run' is not known"),
+    ((*STEP, 'make', 0, 'value'), {'bezier': "no"}, "step 1, make 1, value: it is not a curve or patch"),
+    ((*STEP, 'make', 1, 'recipe'), "exec", "there is no recipe 'exec'"), ((*STEP, 'make', 1, 'of'), [], "it is made from one curve, not from 0"),
+    ((*STEP, 'make', 1, 'of'), ["nobody"], "no shape 'nobody' yet"), ((*STEP, 'make', 1, 'set'), {'position': "far"}, "it must be a number"),
+    ((*STEP, 'make', 1, 'set'), {'position': 7.0}, "from 0 to 1"), ((*STEP, 'make', 1, 'set'), {'wings': 2}, "has no setting 'wings'"),
+    ((*STEP, 'make', 1, 'shape'), "curve", "is there already"), ((*STEP, 'view'), "BELOW", "must be one of TOP"),
+    ((*STEP, 'move', 0, 'setting'), "wings", "has no setting 'wings'"), ((*STEP, 'move', 1, 'points'), [-1], "a whole number from 0"),
+    ((*STEP, 'watch', 0, 'text'), "x = {5}", "stand for its values"), ((*STEP, 'watch', 0, 'values', 0, 'measure'), "eval", "a measure is expected"),
+    ((*STEP, 'watch', 0, 'values', 0, 'name'), "wings", "no setting 'wings'"), ((*DO, 'near'), None, "one of near, above, below"),
+    ((*DO, 'near'), True, "a number below 1e12"), ((*DO, 'near'), 1e400, "a number below 1e12"), ((*DO, 'within'), 0, "near needs a number above 0"),
+    (('steps', 1, 'solution'), None, "needs a solution"), (('steps', 1, 'solution'), [{'shape': "curve", 'set': {}}], "has no recipe"),
+    (('steps', 1, 'solution'), [{'shape': "steps", 'value': {}}], "made by a recipe"),
+    (('steps', 2, 'ask', 'right'), 3, "two choices or more"), (('steps', 2, 'ask', 'choose'), ["one"], "two choices or more"),
+    (('steps', 3, 'ask', 'within'), -1, "a number above 0"), (('steps', 3, 'ask'), {'guess': 1}, "one of do, number, choose"),
+    (('steps', 0, 'text'), "x" * 3000, "at most 2,000 characters"), (('steps', 0, 'overlays'), ["labels"] * 100, "40 are the most")))
+def test_what_a_file_must_not_say_is_a_sentence_with_its_place(path, to, said):
+    with pytest.raises(failures.Refusal, match=said.replace("(", r"\(")):
+        reading.read(json.dumps(changed(*path, to=to)))
+
+
+@pytest.mark.parametrize('text', ("", "{", "[]", "3", '"lesson"', "[" * 100_000, "null", '{"format": 1' + " " * 3_000_000 + "}"))
+def test_what_is_no_lesson_is_refused(text):
+    with pytest.raises(failures.Refusal):
+        reading.read(text)
+
+
+def test_random_damage_is_refused_or_read_never_anything_else():
+    rng = np.random.default_rng(5)
+    odd = (None, True, -1, 1e308, "", "x", [], {}, [[]], {"measure": "x"}, "curve", "steps", 0, 3.5)
+    refused = 0
+    for _ in range(1500):
+        other = copy.deepcopy(LESSON)
+        place = other
+        while isinstance(place, (dict, list)) and place:
+            keys = list(place) if isinstance(place, dict) else list(range(len(place)))
+            key = keys[rng.integers(len(keys))]
+            if not isinstance(place[key], (dict, list)) or rng.random() < 0.2:
+                place[key] = copy.deepcopy(odd[rng.integers(len(odd))])
+                break
+            place = place[key]
+        try:
+            reading.read(json.dumps(other))
+        except failures.Refusal:
+            refused += 1
+    assert refused > 1000
