@@ -176,5 +176,3 @@ def _remove_with_materials(data):
 def is_damaged(scene, lesson):
     """Whether the scene says a step that the lesson has not."""
     return step_of(scene) >= len(lesson.steps)
-
-

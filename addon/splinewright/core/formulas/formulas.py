@@ -140,4 +140,3 @@ def _conic(curve):
 
 def _vector(point, allowed=np.inf):
     return written.vector(map(read, point), allowed)
-
