@@ -28,7 +28,7 @@ make_root() { "$here/root.sh" make "$1" "$cache/$1" >"$build/root-$1.log" 2>&1 8
 build_in_root() {
   in_root "$1" sh -c "
     cmake -S /project -B $inside/roots/$1 -G Ninja -DCMAKE_BUILD_TYPE=Release -DSPLINEWRIGHT_TESTS=OFF \
-      -DSPLINECORE_PRECOMPILED=ON &&
+      -DSPLINECORE_PRECOMPILED=ON -DSPLINECORE_UNITY=ON &&
     cmake --build $inside/roots/$1 --target _splinecore &&
     cp -u $inside/roots/$1/python/splinecore/_splinecore.*.so $inside/modules/" >"$build/module-$1.log" 2>&1 ||
     { tail -n 40 "$build/module-$1.log" >&2; return 1; }

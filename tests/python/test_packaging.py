@@ -73,7 +73,7 @@ def as_the_build():
     With the one of PyPI, in an isolated build, `./run release` installs the source distribution."""
     if not shutil.which("ccache"):
         return {}
-    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON -DSPLINECORE_PRECOMPILED=OFF", "CXX": "/usr/bin/c++",
+    return {"CMAKE_CXX_COMPILER_LAUNCHER": "ccache", "CMAKE_ARGS": "-DSPLINECORE_STRICT=ON -DSPLINECORE_PRECOMPILED=OFF -DSPLINECORE_UNITY=OFF", "CXX": "/usr/bin/c++",
             "PATH": f"/usr/bin:{os.environ['PATH']}", "CCACHE_DEPEND": "1"}
 
 

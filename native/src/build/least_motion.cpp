@@ -14,7 +14,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kDependent = 1e-12;  // what is left of an equation beside others is rounding below this
+constexpr double kDependentEquation = 1e-12;  // what is left of an equation beside others is rounding below this
 constexpr double kMet = 1e-9;
 
 /// One equation, made as long as 1.
@@ -85,7 +85,7 @@ bool set_upright(MotionSystem& system, const SharedEquations& together) {
     std::vector<std::size_t>& before = earlier[together.equations[i]->column];
     for (int again = 0; again < 2; ++again) {  // once leaves rounding where the angle is small
       for (const std::size_t other : before) system.subtract(i, dot(system.rows[i], system.rows[other]), other);
-      if (!before.empty() && !system.to_length_one(i, kDependent)) return false;
+      if (!before.empty() && !system.to_length_one(i, kDependentEquation)) return false;
     }
     before.push_back(i);
   }
@@ -103,9 +103,9 @@ std::vector<glm::dvec3> shortest_solution(MotionSystem system) {
     const std::size_t next = *longest;
     open.erase(longest);
     const double length = std::sqrt(dot(system.rows[next], system.rows[next]));
-    if (!(length > kDependent)) break;
+    if (!(length > kDependentEquation)) break;
     for (const std::size_t other : chosen) system.subtract(next, dot(system.rows[next], system.rows[other]), other);
-    if (!system.to_length_one(next, 0.5 * kDependent)) continue;
+    if (!system.to_length_one(next, 0.5 * kDependentEquation)) continue;
     chosen.push_back(next);
     for (const std::size_t i : open) system.subtract(i, dot(system.rows[i], system.rows[next]), next);
   }

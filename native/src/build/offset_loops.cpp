@@ -18,7 +18,7 @@ namespace splinecore {
 namespace {
 
 /// Of where a curve meets itself: ends as near are joined.
-constexpr double kRounding = 0x1p-28;
+constexpr double kJoined = 0x1p-28;
 
 /// Whether a stretch of a curve lies within the tolerance of what is before it and behind it.
 bool is_repeated(const NurbsCurve& curve, const Interval& stretch, double tolerance) {
@@ -59,7 +59,7 @@ std::optional<BezierPieces> shortened(const BezierPieces& run, double tolerance)
   for (const Interval& gap : left_out) {
     if (gap.start - from > kSamePlace * curve.domain().length()) {
       const BezierPieces part = to_bezier(part_of(curve, {from, gap.start}));
-      if (!whole.empty() && glm::distance(end_of(whole.back()), start_of(part.front())) > kRounding) {
+      if (!whole.empty() && glm::distance(end_of(whole.back()), start_of(part.front())) > kJoined) {
         whole.push_back(bezier_line(end_of(whole.back()), start_of(part.front())));
       }
       whole.insert(whole.end(), part.begin(), part.end());

@@ -17,7 +17,7 @@ namespace splinecore {
 namespace {
 
 /// So much of a length of about 1 is rounding.
-constexpr double kRounding = 0x1p-44;
+constexpr double kPieceRounding = 0x1p-44;
 
 /// The point and two derivatives.
 std::array<glm::dvec3, 3> derivatives_at(const BezierCurve& curve, double t) {
@@ -37,7 +37,7 @@ std::optional<BezierCurve> moved_line(const BezierCurve& curve, const SideStep& 
   glm::dvec3 before = glm::dvec3(points.front());
   for (const glm::dvec4& p : points) {
     const glm::dvec3 from_start = glm::dvec3(p) - glm::dvec3(points.front());
-    const bool is_beside = glm::length(glm::cross(from_start, chord)) > kRounding * length;
+    const bool is_beside = glm::length(glm::cross(from_start, chord)) > kPieceRounding * length;
     if (!(p.w > 0.0) || is_beside || glm::dot(glm::dvec3(p) - before, chord) < 0.0) return {};
     before = glm::dvec3(p);
   }
@@ -64,10 +64,10 @@ std::optional<std::vector<BezierCurve>> scaled_arc(const BezierCurve& curve, con
       const bool is_left = glm::dot(to_center, glm::cross(step.normal, first)) > 0.0;
       radius = is_left ? glm::length(to_center) : -glm::length(to_center);
     }
-    if (glm::distance(point + to_center, center) > kRounding * (1.0 + std::abs(radius))) return {};
+    if (glm::distance(point + to_center, center) > kPieceRounding * (1.0 + std::abs(radius))) return {};
   }
   const double share = (radius - step.distance) / radius;
-  if (std::abs(share * radius) <= kRounding) return std::vector<BezierCurve>{};
+  if (std::abs(share * radius) <= kPieceRounding) return std::vector<BezierCurve>{};
   std::vector<glm::dvec4> made;
   for (const glm::dvec4& p : curve.points()) {
     const glm::dvec3 at(p);

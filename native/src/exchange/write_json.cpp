@@ -9,7 +9,7 @@ namespace splinecore {
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-constexpr std::size_t kStepsOfRow = 500;
+constexpr std::size_t kStepsOfPoints = 500;
 
 OrderedJson numbers(std::span<const double> values) {
   return OrderedJson(std::vector<double>(values.begin(), values.end()));
@@ -22,7 +22,7 @@ template <class Point>
 OrderedJson list(std::span<const Point> points) {
   OrderedJson rows = OrderedJson::array();
   for (const Point& p : points) {
-    breathe(kStepsOfRow);
+    breathe(kStepsOfPoints);
     rows.push_back(row(p));
   }
   return rows;

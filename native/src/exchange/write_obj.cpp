@@ -8,11 +8,11 @@ namespace splinecore {
 
 namespace {
 
-constexpr std::size_t kStepsOfRow = 500;
+constexpr std::size_t kStepsOfLine = 500;
 constexpr int kDigits = 9, kDigitsOfNormal = 6;
 
 void write_row(std::string& out, const char* word, const glm::dvec3& row, int digits) {
-  breathe(kStepsOfRow);
+  breathe(kStepsOfLine);
   out += word;
   std::array<char, 32> text;
   for (int k = 0; k < 3; ++k) {

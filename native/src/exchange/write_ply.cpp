@@ -10,7 +10,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr std::size_t kStepsOfRow = 50;
+constexpr std::size_t kStepsOfVertex = 50;
 /// Counts of corners are one byte where that has room for them.
 constexpr std::size_t kMostInByte = 255;
 
@@ -44,7 +44,7 @@ std::string header_of(const Counts& counts) {
 
 void write_faces(std::string& out, const MeshFaces& mesh, std::size_t vertices_before, bool is_byte) {
   for (std::size_t i = 0; i < mesh.face_count(); ++i) {
-    breathe(kStepsOfRow);
+    breathe(kStepsOfVertex);
     const std::size_t count = mesh.end(i) - mesh.begin(i);
     if (is_byte) out += static_cast<char>(count);
     else append(out, static_cast<std::uint32_t>(count));

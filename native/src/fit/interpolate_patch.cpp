@@ -17,7 +17,7 @@ namespace splinecore {
 namespace {
 
 /// Of an evaluation: beside the largest coordinate.
-constexpr double kAccurate = 1e-13;
+constexpr double kAccurateGrid = 1e-13;
 
 constexpr std::size_t kNoPoint = std::numeric_limits<std::size_t>::max();
 
@@ -144,7 +144,7 @@ Approximation<NurbsPatch> interpolate(const PointGrid& grid, const FitDirection&
   double error = largest_distance(patch, grid, along_u, along_v);
   const double measured = measured_distance(patch, grid, u.parameters, v.parameters);
   // Less than that is left by the evaluation itself.
-  if (!(measured <= kAccurate * largest)) error = std::max(error, measured);
+  if (!(measured <= kAccurateGrid * largest)) error = std::max(error, measured);
   require_passing(error, largest);
   return {std::move(patch), error};
 }

@@ -16,21 +16,21 @@ namespace {
 
 /// Both ends, where the rules see nothing, lie among the first nodes, and one twice to fill the lanes.
 constexpr std::size_t kEnds = 3;
-constexpr std::size_t kCount = kEnds + 2 * kKronrod21.size() - 1;
-static_assert(kCount % 4 == 0);
+constexpr std::size_t kPlaces = kEnds + 2 * kKronrod21.size() - 1;
+static_assert(kPlaces % 4 == 0);
 
 struct Rule {
-  std::array<double, kCount> at{0.0, 1.0, 1.0};
-  std::array<double, kCount> rest{1.0, 0.0, 0.0};  ///< 1 - at
-  std::array<double, kCount> shares{};
-  std::array<double, kCount> differences{};
+  std::array<double, kPlaces> at{0.0, 1.0, 1.0};
+  std::array<double, kPlaces> rest{1.0, 0.0, 0.0};  ///< 1 - at
+  std::array<double, kPlaces> shares{};
+  std::array<double, kPlaces> differences{};
 };
 
 constexpr Rule kRule = [] {
   Rule rule;
-  for (std::size_t i = 0; i < kCount - kEnds; ++i) {
+  for (std::size_t i = 0; i < kPlaces - kEnds; ++i) {
     const bool is_low = i < kKronrod21.size();
-    const KronrodNode& node = kKronrod21[is_low ? i : kCount - kEnds - 1 - i];
+    const KronrodNode& node = kKronrod21[is_low ? i : kPlaces - kEnds - 1 - i];
     rule.at[kEnds + i] = is_low ? node.at : 1.0 - node.at;
     rule.rest[kEnds + i] = is_low ? 1.0 - node.at : node.at;
     rule.shares[kEnds + i] = node.kronrod;
@@ -103,16 +103,16 @@ void SurfacePiece::normalize() {
 }
 
 SurfaceIntegral::Functions::Functions(int degree)
-    : values(kCount * (degree + 1)), slopes(values.size()), steps(kCount) {
+    : values(kPlaces * (degree + 1)), slopes(values.size()), steps(kPlaces) {
   std::vector<double> own(degree + 1);
   std::vector<double> less(degree);
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < kPlaces; ++i) {
     bernstein(degree, kRule.at[i], kRule.rest[i], own);
     bernstein(degree - 1, kRule.at[i], kRule.rest[i], less);
     for (int k = 0; k <= degree; ++k) {
       const double slope = degree * ((k > 0 ? less[k - 1] : 0.0) - (k < degree ? less[k] : 0.0));
-      values[k * kCount + i] = own[k];
-      slopes[k * kCount + i] = slope;
+      values[k * kPlaces + i] = own[k];
+      slopes[k * kPlaces + i] = slope;
       steps[i] += std::abs(slope);
     }
   }
@@ -125,8 +125,8 @@ void SurfaceIntegral::sum_line(const BernsteinNet<glm::dvec4>& net, std::size_t 
   std::ranges::fill(points_, glm::dvec4(0.0));
   std::ranges::fill(slopes_, glm::dvec4(0.0));
   for (std::size_t k = 0; k < net.rows; ++k) {
-    const double value = u_.values[k * kCount + node];
-    const double slope = u_.slopes[k * kCount + node];
+    const double value = u_.values[k * kPlaces + node];
+    const double slope = u_.slopes[k * kPlaces + node];
     const glm::dvec4* const from = &net.at(k, 0);
     for (std::size_t j = 0; j < net.columns; ++j) {
       points_[j] += value * from[j];
@@ -138,9 +138,9 @@ void SurfaceIntegral::sum_line(const BernsteinNet<glm::dvec4>& net, std::size_t 
 PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand integrand) {
   // As wide as what lies between an end and the nearest node: a fold there is seen by the ends alone.
   constexpr double kUnseen = kKronrod21[0].at;
-  breathe(kCount * (8 * piece.net.values.size() + kCount * (12 * piece.net.columns + 60)));
+  breathe(kPlaces * (8 * piece.net.values.size() + kPlaces * (12 * piece.net.columns + 60)));
   const SurfaceRule rule{.degree = piece.net.degree(Axis::v),
-                         .nodes = kCount,
+                         .nodes = kPlaces,
                          .values = v_.values.data(),
                          .slopes = v_.slopes.data(),
                          .steps = v_.steps.data(),
@@ -159,7 +159,7 @@ PieceIntegral SurfaceIntegral::operator()(const SurfacePiece& piece, Integrand i
   PieceIntegral found;
   SurfaceSums sums;
   std::array<double, 2> against{};
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < kPlaces; ++i) {
     if (i == kEnds - 1) continue;
     sum_line(piece.net, i);
     row.step = u_.steps[i];

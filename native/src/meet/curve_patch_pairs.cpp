@@ -20,16 +20,16 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kNarrow = 0x1p-50;
+constexpr double kNarrowCurve = 0x1p-50;
 /// So narrow parts of a patch that run through infinity have no points but where weights are zero.
 constexpr double kNarrowPatchAtInfinity = 0x1p-24;
 /// Radians by which tangents, and normals, of parts may differ that are looked at as a line beside a plane.
-constexpr double kGentle = 0.25;
+constexpr double kGentleTurn = 0.25;
 /// Parts of so many tolerances are points: what a finding is is measured where it is.
-constexpr double kSmall = 2.0;
+constexpr double kSmallParts = 2.0;
 /// A look at how parts lie counts as so many pairs.
 constexpr std::size_t kLook = 16;
-constexpr std::size_t kMostPairs = std::size_t{1} << 20;
+constexpr std::size_t kMostCurvePatchPairs = std::size_t{1} << 20;
 
 /// How much the directions of the legs of a net turn from one to the next, along u and along v.
 std::array<double, 2> turns_along(const PatchPart& patch) {
@@ -82,7 +82,7 @@ class PierceSearch {
 
  private:
   static bool is_lost(const CurvePart& part) {
-    return !part.is_boxed && (part.range.length() <= kNarrow || is_far_out(part));
+    return !part.is_boxed && (part.range.length() <= kNarrowCurve || is_far_out(part));
   }
   static bool is_lost(const PatchPart& part) {
     return !part.is_boxed && std::max(part.range[0].length(), part.range[1].length()) <= kNarrowPatchAtInfinity;
@@ -90,21 +90,21 @@ class PierceSearch {
 
   void pair(const CurvePart& curve, const PatchPart& patch) {
     breathe(32 * (curve.net.rows + patch.net.values.size()));
-    if (++pairs_ > kMostPairs) {
-      throw InvalidShape("more than " + std::to_string(kMostPairs) +
+    if (++pairs_ > kMostCurvePatchPairs) {
+      throw InvalidShape("more than " + std::to_string(kMostCurvePatchPairs) +
                          " pairs of parts are within the tolerance: "
                          "the curve lies on too much of the patch, or it is too small");
     }
     if (is_lost(curve) || is_lost(patch) || are_parts_apart(curve, patch)) return;
     if (goes_through(curve, patch) && cross(curve, patch)) return;
     const bool are_boxed = curve.is_boxed && patch.is_boxed;
-    const bool are_gentle = are_boxed && std::max(curve.spread, patch.normals().spread) <= kGentle;
+    const bool are_gentle = are_boxed && std::max(curve.spread, patch.normals().spread) <= kGentleTurn;
     const Lying lying = are_gentle ? how_lies(curve, patch) : Lying{};
     if (lying.how == Lying::How::on) return add(curve, patch);
     if (lying.how == Lying::How::apart) return;
     if (lying.how == Lying::How::partly && take_part(curve, patch, lying)) return;
-    const bool is_small = are_boxed && std::max(curve.size, patch.largest_size()) <= kSmall * tolerance_;
-    if (is_small || curve.range.length() <= kNarrow) return add(curve, patch);
+    const bool is_small = are_boxed && std::max(curve.size, patch.largest_size()) <= kSmallParts * tolerance_;
+    if (is_small || curve.range.length() <= kNarrowCurve) return add(curve, patch);
     const bool is_larger = curve.is_boxed == patch.is_boxed ? curve.size >= patch.largest_size() : !curve.is_boxed;
     if (is_larger || lying.how == Lying::How::leaves) {
       const auto [first, second] = curve.halves();
@@ -121,7 +121,7 @@ class PierceSearch {
   static Axis axis_to_halve(const PatchPart& patch) {
     if (!patch.is_boxed) return patch.range[0].length() >= patch.range[1].length() ? Axis::u : Axis::v;
     const Axis longer = patch.size[0] >= patch.size[1] ? Axis::u : Axis::v;
-    if (patch.normals().spread <= kGentle) return longer;
+    if (patch.normals().spread <= kGentleTurn) return longer;
     const std::array<double, 2> turns = turns_along(patch);
     constexpr double kEven = 4.0;
     constexpr double kThin = 0.25;

@@ -15,7 +15,7 @@ namespace {
 constexpr double kShortest = 0x1p-50;
 constexpr std::size_t kDeepest = 110;
 /// What rounding may do to a distance, by the size of the shape, which is 1, and of the distance.
-constexpr double kRounding = 0x1p-48;
+constexpr double kSearchRounding = 0x1p-48;
 /// From so many parts on that were looked at for one point, the order of places and what is below rounding count less.
 constexpr std::size_t kMany = 1 << 14;
 
@@ -127,7 +127,7 @@ NearestPlace NearestSearch<kAxes>::nearest(const glm::dvec3& point, double withi
   point_ = point;
   best_ = {};
   looks_ = 0;
-  rounding_ = kRounding;
+  rounding_ = kSearchRounding;
   const double most = within + rounding_ * (1.0 + within);
   least_ = below_ = above_ = most * most;
   waiting_count_ = 0;

@@ -67,12 +67,12 @@ double size_along(const BernsteinNet<glm::dvec4>& net, HullPoints points, Axis a
 }
 
 /// A vector made a unit one; zero is told apart by nothing.
-glm::dvec3 unit(const glm::dvec3& v) {
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   const double length = glm::length(v);
   return length > 0.0 ? v / length : v;
 }
 
-constexpr double kMargin = 1.25;
+constexpr double kSpreadMargin = 1.25;
 
 /// Whether a part that runs through infinity is outside of a slab about another one.
 bool is_outside(const PatchPart& unbounded, const PatchPart& other, double distance) {
@@ -159,8 +159,8 @@ bool are_apart(const PatchPart& a, const PatchPart& b, double distance) {
   if (are_boxes_apart(a.points, b.points, distance)) return true;
   const glm::dvec3& of_a = a.normals().along;
   const glm::dvec3& of_b = b.normals().along;
-  const glm::dvec3 along = unit(glm::cross(of_a, of_b));
-  const std::array<glm::dvec3, 5> axes{of_a, of_b, along, unit(glm::cross(of_a, along)), unit(glm::cross(of_b, along))};
+  const glm::dvec3 along = unit_or_zero(glm::cross(of_a, of_b));
+  const std::array<glm::dvec3, 5> axes{of_a, of_b, along, unit_or_zero(glm::cross(of_a, along)), unit_or_zero(glm::cross(of_b, along))};
   return are_apart_along(a.points, b.points, axes, distance);
 }
 
@@ -170,7 +170,7 @@ bool are_edges_apart(const PatchPart& a, const PatchPart& b, double distance) {
   for (std::size_t i = 0; i < 4; ++i) {
     const glm::dvec3& of_a = a.tangents(i < 2 ? Axis::u : Axis::v).along;
     const glm::dvec3& of_b = b.tangents(i % 2 == 0 ? Axis::u : Axis::v).along;
-    axes[i] = unit(glm::cross(of_a, of_b));
+    axes[i] = unit_or_zero(glm::cross(of_a, of_b));
   }
   return are_apart_along(a.points, b.points, axes, distance);
 }
@@ -179,9 +179,9 @@ bool are_apart(const CurvePart& a, const PatchPart& b, double distance) {
   if (!a.is_boxed || !b.is_boxed) return false;
   if (are_boxes_apart(a.points, b.points, distance)) return true;
   const glm::dvec3& normal = b.normals().along;
-  const glm::dvec3 beside = unit(glm::cross(a.along, normal));
-  const std::array<glm::dvec3, 4> axes{normal, beside, unit(glm::cross(a.along, beside)),
-                                       unit(glm::cross(normal, beside))};
+  const glm::dvec3 beside = unit_or_zero(glm::cross(a.along, normal));
+  const std::array<glm::dvec3, 4> axes{normal, beside, unit_or_zero(glm::cross(a.along, beside)),
+                                       unit_or_zero(glm::cross(normal, beside))};
   return are_apart_along(a.points, b.points, axes, distance);
 }
 
@@ -193,7 +193,7 @@ bool do_normals_differ(const PatchPart& a, const PatchPart& b, double rounding) 
   static constexpr double kThinnest = 0x1p-20;
   const auto width = [](const PatchPart& part) { return std::max(kThinnest, std::min(part.size[0], part.size[1])); };
   const double rounded = rounding / width(a) + rounding / width(b);
-  const double spread = kMargin * (of_a.spread + of_b.spread) + rounded;
+  const double spread = kSpreadMargin * (of_a.spread + of_b.spread) + rounded;
   if (!(spread < 0.5 * std::numbers::pi)) return false;
   return std::atan2(glm::length(glm::cross(of_a.along, of_b.along)), std::abs(glm::dot(of_a.along, of_b.along))) > spread;
 }
@@ -201,7 +201,7 @@ bool do_normals_differ(const PatchPart& a, const PatchPart& b, double rounding) 
 bool goes_through(const CurvePart& a, const PatchPart& b) {
   if (!a.is_boxed || !b.is_boxed) return false;
   const VectorCone& normals = b.normals();
-  const double spread = kMargin * (a.spread + normals.spread);
+  const double spread = kSpreadMargin * (a.spread + normals.spread);
   if (!(spread < 0.5 * std::numbers::pi)) return false;
   return std::atan2(std::abs(glm::dot(a.along, normals.along)), glm::length(glm::cross(a.along, normals.along))) > spread;
 }

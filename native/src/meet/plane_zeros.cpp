@@ -17,7 +17,7 @@ using ScalarNet = BernsteinNet<double>;
 /// A part no longer than this is not halved.
 constexpr double kShortest = 0x1p-18;
 /// Zeros that reach farther are a curve.
-constexpr double kWide = 0x1p-6;
+constexpr double kWideCell = 0x1p-6;
 constexpr std::size_t kMost = 1 << 16;
 
 double size_of(const ScalarNet& net) noexcept {
@@ -146,7 +146,7 @@ class ZeroSearch {
     const double size = std::max(range[0].length(), range[1].length());
     const bool is_flat = is_noise(a);
     if (is_flat && is_noise(b)) return keep(range);
-    if (!is_out_ && size > kWide && ((is_flat && crosses_zero(b)) || (is_noise(b) && crosses_zero(a)))) return refuse(range);
+    if (!is_out_ && size > kWideCell && ((is_flat && crosses_zero(b)) || (is_noise(b) && crosses_zero(a)))) return refuse(range);
     if (const auto forms = straightened(a, b)) {
       if (has_one_sign((*forms)[0].net.values, {}, (*forms)[0].noise)) return;
       if (has_one_sign((*forms)[1].net.values, {}, (*forms)[1].noise)) return;
@@ -212,7 +212,7 @@ class ZeroSearch {
       }
       clusters_.erase(other);
     }
-    if (std::max(range[0].length(), range[1].length()) > kWide) return refuse(range);
+    if (std::max(range[0].length(), range[1].length()) > kWideCell) return refuse(range);
     clusters_.push_back(range);
   }
 

@@ -24,7 +24,7 @@ BallArc arc_of(const Contact& contact) {
   return {contact.first, contact.second, contact.circle_center, contact.circle_radius};
 }
 
-Numbers numbers_of(const BallArc& arc) {
+Numbers numbers_of_arc(const BallArc& arc) {
   return {arc.first.x,  arc.first.y,  arc.first.z,  arc.second.x, arc.second.y,
           arc.second.z, arc.center.x, arc.center.y, arc.center.z, arc.radius};
 }
@@ -102,13 +102,13 @@ void BallPath::add(const Interval& range, double width, double within) {
   const auto place = [&](double t) { return range.start + t * range.length(); };
   Part part{range, {}};
   for (const double t : nodes().places) {
-    const Numbers numbers = numbers_of(arc_of(ball_.at(place(t), true)));
+    const Numbers numbers = numbers_of_arc(arc_of(ball_.at(place(t), true)));
     part.values.insert(part.values.end(), numbers.begin(), numbers.end());
   }
   double off = 0.0;
   for (const double t : kLooks) {
     const Numbers found = nodes().between(part.values, t);
-    const Numbers wanted = numbers_of(arc_of(ball_.at(place(t), true)));
+    const Numbers wanted = numbers_of_arc(arc_of(ball_.at(place(t), true)));
     for (std::size_t i = 0; i < kNumbers; ++i) off = std::max(off, std::abs(found[i] - wanted[i]));
   }
   if (off <= within) {

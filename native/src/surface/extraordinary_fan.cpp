@@ -17,7 +17,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr int kDegree = 7;
+constexpr int kFanDegree = 7;
 constexpr int kOrders = 3;
 
 /// Half of a side of a face: a regular face of the finer mesh, u along the side or v.
@@ -67,7 +67,7 @@ class Fan {
     StarClaims claims(star_);
     for (std::size_t k = 0; k < star_.count(); ++k) claim_sides(claims, k);
     if (star_.is_open) claim_borders(claims);
-    claims.add(0, kDegree, kDegree, limit(), 0);
+    claims.add(0, kFanDegree, kFanDegree, limit(), 0);
     std::vector<glm::dvec3> points = solved_star(star_, claims.points());
     if (has_normal()) {
       claim_normal(claims, points);
@@ -76,8 +76,8 @@ class Fan {
     std::vector<NurbsPatch> made;
     for (std::size_t k = 0; k < star_.count(); ++k) {
       std::vector<glm::dvec4> net;
-      for (std::size_t i = 0; i <= kDegree; ++i) {
-        for (std::size_t j = 0; j <= kDegree; ++j) net.emplace_back(points[star_.at(k, i, j)], 1.0);
+      for (std::size_t i = 0; i <= kFanDegree; ++i) {
+        for (std::size_t j = 0; j <= kFanDegree; ++j) net.emplace_back(points[star_.at(k, i, j)], 1.0);
       }
       made.push_back(NurbsPatch::make(knots_, knots_, std::move(net)));
     }
@@ -101,7 +101,7 @@ class Fan {
     const auto along_u = rows_beside(knots_, knots_, first.across(places));
     const auto along_v = rows_beside(knots_, knots_, second.across(places));
     for (std::size_t r = 0; r < kOrders; ++r) {
-      for (std::size_t i = 0; i <= kDegree; ++i) {
+      for (std::size_t i = 0; i <= kFanDegree; ++i) {
         claims.add(k, i, r, along_u[r][i], static_cast<int>(r));
         claims.add(k, r, i, along_v[r][i], static_cast<int>(r));
       }
@@ -133,9 +133,9 @@ class Fan {
   void claim_borders(StarClaims& claims) const {
     const auto first = border(first_beside(), last_beside(), false);
     const auto last = border(last_beside(), first_beside(), true);
-    for (std::size_t i = 0; i <= kDegree; ++i) {
-      claims.add(0, i, kDegree, first[i], 0);
-      claims.add(star_.count() - 1, kDegree, i, last[i], 0);
+    for (std::size_t i = 0; i <= kFanDegree; ++i) {
+      claims.add(0, i, kFanDegree, first[i], 0);
+      claims.add(star_.count() - 1, kFanDegree, i, last[i], 0);
     }
   }
 
@@ -233,11 +233,11 @@ class Fan {
     const glm::dvec3 middle = limit();
     std::vector<glm::dvec3> ways;
     for (std::size_t k = 0; k < star_.inner_spokes(); ++k) {
-      const glm::dvec3 way = points[star_.at(k, kDegree, kDegree - 1)] - middle;
+      const glm::dvec3 way = points[star_.at(k, kFanDegree, kFanDegree - 1)] - middle;
       ways.push_back(way - glm::dot(way, normal) / size * (normal / size));
     }
     if (!star_.is_open && are_folded(ways, normal)) ways = limit_ways(ways);
-    for (std::size_t k = 0; k < ways.size(); ++k) claims.add(k, kDegree, kDegree - 1, middle + ways[k], 0);
+    for (std::size_t k = 0; k < ways.size(); ++k) claims.add(k, kFanDegree, kFanDegree - 1, middle + ways[k], 0);
   }
 
   /// Where the point converges to.
@@ -257,7 +257,7 @@ class Fan {
   const ControlMesh& finer_;
   const MeshTopology& finer_topology_;
   int point_;
-  KnotVector knots_ = KnotVector::bezier(kDegree);
+  KnotVector knots_ = KnotVector::bezier(kFanDegree);
   Star star_;
 };
 

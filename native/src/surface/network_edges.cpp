@@ -58,7 +58,7 @@ std::vector<double> distances_at(const NurbsCurve& side, const NurbsCurve& curve
 }
 
 /// The largest distance of a side from a curve over its domain, looked for closer about where it is.
-double distance_between(const NurbsCurve& side, const NurbsCurve& curve) {
+double largest_distance(const NurbsCurve& side, const NurbsCurve& curve) {
   constexpr int kInSpan = 16;
   constexpr int kParts = 24;
   const Interval domain = side.domain();
@@ -117,7 +117,7 @@ std::array<std::optional<double>, 4> distances_of_paces(const NurbsPatch& patch,
     const std::array<Border, 2> borders = borders_along(is_u);
     for (std::size_t i = 0; i < 2; ++i) {
       const NurbsCurve& given = i == 0 ? family.own.front() : family.own.back();
-      found[(is_u ? 2 : 0) + i] = distance_between(boundary(patch, borders[i]), given);
+      found[(is_u ? 2 : 0) + i] = largest_distance(boundary(patch, borders[i]), given);
     }
   }
   return found;

@@ -32,10 +32,10 @@ class Hull(NamedTuple):
         return sorted({(min(pair), max(pair)) for face in self.faces for pair in zip(face, face[1:] + face[:1])})
 
 
-def hull(points):
-    """The Hull of points (n, 3), one at least."""
+def hull(points, near=0.0):
+    """The Hull of points (n, 3), one at least, that are exact within `near`."""
     points = np.asarray(points, dtype=np.float64)
-    near = FLAT * np.ptp(points, axis=0).max()
+    near = max(near, FLAT * np.ptp(points, axis=0).max())
     points = _apart(points, near)
     rank, axes = _frame(points, near)
     if rank == 3:
@@ -63,8 +63,8 @@ def intersection(one, other):
         if not len(corners):
             return None
         if len(corners) > 24:
-            corners = hull(corners).corners
-    return hull(corners)
+            corners = hull(corners, 2.0 * near).corners
+    return hull(corners, 2.0 * near)
 
 
 def _hull(rank, corners, faces, normals, points):
@@ -167,7 +167,7 @@ def _polyhedron(points, axes, near):
             continue
         faces[frozenset(turn)] = (turn, normal)
         if len(faces) > 4 * len(points):
-            raise Refusal(f"the hull of {len(points)} points was given up: rounding hides which of them are its corners")
+            raise _hidden(points)
         edges |= set(zip(turn, turn[1:] + turn[:1]))
         for start, end in zip(turn, turn[1:] + turn[:1]):
             if (end, start) not in edges:
@@ -177,6 +177,10 @@ def _polyhedron(points, axes, near):
     renumbered = {number: i for i, number in enumerate(used)}
     turns = tuple(tuple(renumbered[number] for number in turn) for turn, _ in faces.values())
     return _hull(3, points[used], turns, [normal for _, normal in faces.values()], points)
+
+
+def _hidden(points):
+    return Refusal(f"the hull of {len(points)} points was given up: rounding hides which of them are its corners")
 
 
 def _first_plane(points, axes, near):
@@ -206,6 +210,8 @@ def _next_plane(points, start, end, normal, near):
     across, depth = away @ inward, -(away @ normal)
     below = np.flatnonzero(depth > near)
     chosen = below[(across[below] / depth[below]).argmin()] if len(below) else int(depth.argmax())
+    if not np.hypot(across[chosen], depth[chosen]) > 0.0:
+        raise _hidden(points)
     for _ in range(_MENDINGS):
         toward = np.array([across[chosen], depth[chosen]]) / np.hypot(across[chosen], depth[chosen])
         outside = toward[0] * depth - toward[1] * across

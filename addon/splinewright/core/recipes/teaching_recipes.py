@@ -74,7 +74,7 @@ def _construction(inputs, piece, position, scheme, marker, first_level, last_lev
 def _axes(points, spatial, grid, tick, step, **limits):
     names = "xyz" if spatial else "xy"
     ranges = [(limits[f"{name}_from"], limits[f"{name}_to"]) for name in names]
-    return _of_parts(axes.picture(ranges, [step] * len(names), tick, grid))
+    return of_parts(axes.picture(ranges, [step] * len(names), tick, grid))
 
 
 def _limit(name, is_start):

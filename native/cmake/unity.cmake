@@ -1,0 +1,18 @@
+# compile_in_groups(TARGET): where SPLINECORE_UNITY is on, files of a folder that begin with the same letter are compiled together,
+# but for kernels. A file that is added changes one group.
+function(compile_in_groups target)
+  if(NOT SPLINECORE_UNITY)
+    return()
+  endif()
+  get_target_property(files ${target} SOURCES)
+  foreach(file ${files})
+    if(NOT file MATCHES "/kernels/")
+      get_filename_component(folder "${file}" DIRECTORY)
+      get_filename_component(folder "${folder}" NAME)
+      get_filename_component(name "${file}" NAME)
+      string(SUBSTRING "${name}" 0 1 letter)
+      set_source_files_properties("${file}" PROPERTIES UNITY_GROUP ${folder}_${letter})
+    endif()
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
