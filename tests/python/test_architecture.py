@@ -47,7 +47,7 @@ ROOMS_WITHIN = {
         'analysis': {'base', 'formulas', 'net', 'shape', 'verbs'},
         'rounding': {'base', 'joints', 'verbs'},
         'surfaces': {'base', 'joints', 'meets', 'shape', 'verbs'},
-        'lessons': {'base', 'recipes'},
+        'lessons': {'base', 'joints', 'recipes'},
         'recipes': {'base', 'deform', 'drawing', 'formulas', 'joints', 'meets', 'rounding', 'shape', 'surfaces', 'verbs'},
     },
     'bridge': {

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from . import curve_measures, seam_measures
 from .lesson import Measure
 
 
@@ -24,9 +25,11 @@ def measured(measure, shapes):
     given = {name: measured(value, shapes) if isinstance(value, Measure) else value for name, value in measure.arguments.items()}
     if measure.kind == 'setting':
         return _setting(shown, **given)
+    kind = KINDS[measure.kind]
+    taken = _patches if kind.is_of_patches else _curve
     if 'to' in given:
-        given['to'] = _curve(_known(shapes, given['to']), 1)
-    return float(KINDS[measure.kind].function(_curve(shown, int(given.pop('piece', 1))), **given))
+        given['to'] = taken(_known(shapes, given['to']), 1)
+    return float(kind.function(taken(shown, int(given.pop('piece', 1))), **given))
 
 
 def _known(shapes, name):
@@ -48,6 +51,13 @@ def _curve(shown, piece):
     if not hasattr(values[piece - 1], 'domain') or isinstance(values[piece - 1].domain[0], tuple):
         raise Refusal("it is not a curve")
     return values[piece - 1]
+
+
+def _patches(shown, _piece):
+    found = shown.value if isinstance(shown.value, (list, sc.PatchSet)) else [shown.value]
+    if not hasattr(found[0], 'domain') or not isinstance(found[0].domain[0], tuple):
+        raise Refusal("it is not a surface")
+    return [found[i] for i in range(len(found))]
 
 
 def _coordinate(axis):
@@ -96,6 +106,7 @@ class Kind(NamedTuple):
 
     takes: tuple
     function: object
+    is_of_patches: bool = False         # its function takes the patches of the shape
 
 
 #: What measures there are beside 'setting', a number of a recipe. `at` is a parameter, `index` counts control points from 0.
@@ -114,6 +125,8 @@ KINDS = {
     'distance': Kind(('to',), _distance),
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
     'setting': Kind(('name',), None),
+    **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
+    **{name: Kind(*each, True) for name, each in seam_measures.MEASURES.items()},
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)
