@@ -35,10 +35,10 @@ def test_measures_of_curves(kind, value, arguments, wanted):
     assert measured(kind, value, **arguments) == pytest.approx(wanted, abs=1e-7)
 
 
-def test_the_turn_from_the_end_of_one_curve_to_the_start_of_another():
+def test_the_angle_from_the_end_of_one_curve_to_the_start_of_another():
     for angle in (0.0, 0.3, 1.2, 2.5):
         other = sc.BezierCurve([(3, 4), (3 + 2 * math.cos(angle), 4 + 2 * math.sin(angle))])
-        assert measured('turn', sc.BezierCurve([(1, 4), (3, 4)]), other) == pytest.approx(angle, abs=1e-12)
+        assert measured('joint_angle', sc.BezierCurve([(1, 4), (3, 4)]), other) == pytest.approx(angle, abs=1e-12)
 
 
 def roof(slope, gap=0.0):
@@ -64,7 +64,7 @@ def test_measures_of_seams(slope):
     ('jump', UNEVEN, None, {'at': 1.0, 'order': -1}, "the orders 0 to 3"), ('area', FLAT, None, {}, "it is not a curve"),
     ('seam_g', HOUSE, FLAT, {}, "it is not a surface"), ('seam_g', FLAT, HOUSE, {}, "it is not a surface"),
     ('seam_g', [HOUSE, HOUSE], FLAT, {}, "it is not a surface"), ('area', OPEN, None, {}, ""),
-    ('eccentricity', conic(0.0), None, {}, ""), ('turn', UNEVEN, FLAT, {}, "it is not a curve")))
+    ('eccentricity', conic(0.0), None, {}, ""), ('joint_angle', UNEVEN, FLAT, {}, "it is not a curve")))
 def test_what_cannot_be_measured_is_a_sentence(kind, value, other, arguments, said):
     with pytest.raises(measures.FAILURES, match=said):
         measured(kind, value, other, **arguments)

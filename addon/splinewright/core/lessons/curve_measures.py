@@ -37,7 +37,7 @@ def _eccentricity(curve):
 
 
 #: {name: (what it takes, function)}. `at` is a parameter, `index` counts from 0;
-#: 'turn' is the angle in radians from the end of a curve to the start of another one.
+#: 'joint_angle' is the angle in radians from the end of a curve to the start of another one.
 MEASURES = {
     'start': ((), lambda curve: curve.domain[0]),
     'end': ((), lambda curve: curve.domain[1]),
@@ -45,7 +45,7 @@ MEASURES = {
     'jump': (('at', 'order'), _jump),
     'closed': ((), lambda curve: curve.is_closed),
     'corners': ((), _corners),
-    'turn': (('to',), lambda curve, to: curve.continuity_to(to).angle),
+    'joint_angle': (('to',), lambda curve, to: curve.continuity_to(to).angle),
     'area': ((), lambda curve: abs(curve.signed_area())),
     'eccentricity': ((), _eccentricity),
     'arcs': ((), lambda curve: len(curve.finite_arcs(_FAR))),

@@ -19,17 +19,11 @@ class Shown(NamedTuple):
 
 def measured(measure, shapes):
     """The number of a Measure; shapes: {name: Shown}. Raises Refusal, or an error of the library."""
-    if measure.shape not in shapes:
-        raise Refusal(f"there is no shape {measure.shape!r} now")
-    shown = shapes[measure.shape]
+    shown, kind = _known(shapes, measure.shape), KINDS[measure.kind]
     given = {name: measured(value, shapes) if isinstance(value, Measure) else value for name, value in measure.arguments.items()}
-    if measure.kind == 'setting':
-        return _setting(shown, **given)
-    kind = KINDS[measure.kind]
-    taken = _patches if kind.is_of_patches else _curve
     if 'to' in given:
-        given['to'] = taken(_known(shapes, given['to']), 1)
-    return float(kind.function(taken(shown, int(given.pop('piece', 1))), **given))
+        given['to'] = _TAKEN[kind.of](_known(shapes, given['to']), 1)
+    return float(kind.function(_TAKEN[kind.of](shown, int(given.pop('piece', 1))), **given))
 
 
 def _known(shapes, name):
@@ -41,7 +35,7 @@ def _known(shapes, name):
 def _setting(shown, name):
     if not isinstance(shown.settings.get(name), (int, float)):
         raise Refusal(f"the shape has no number {name!r}")
-    return float(shown.settings[name])
+    return shown.settings[name]
 
 
 def _curve(shown, piece):
@@ -58,6 +52,10 @@ def _patches(shown, _piece):
     if not hasattr(found[0], 'domain') or not isinstance(found[0].domain[0], tuple):
         raise Refusal("it is not a surface")
     return [found[i] for i in range(len(found))]
+
+
+#: What the function of a Kind takes, of a Shown and the number of a piece.
+_TAKEN = {'curve': _curve, 'patches': _patches, 'shown': lambda shown, _piece: shown}
 
 
 def _coordinate(axis):
@@ -102,14 +100,14 @@ def _speed(curve, at):
 
 
 class Kind(NamedTuple):
-    """A kind of Measure: what it takes beside the shape and a piece, and how it is found of a curve."""
+    """A kind of Measure: what it takes beside the shape, and how it is found."""
 
     takes: tuple
     function: object
-    is_of_patches: bool = False         # its function takes the patches of the shape
+    of: str = 'curve'                   # what the function takes: a 'curve', of which the piece can be said, its 'patches', or the 'shown'
 
 
-#: What measures there are beside 'setting', a number of a recipe. `at` is a parameter, `index` counts control points from 0.
+#: What measures there are. `at` is a parameter, `index` counts control points from 0.
 KINDS = {
     **{axis: Kind(('at',), _coordinate(i)) for i, axis in enumerate("xyz")},
     **{f"point_{axis}": Kind(('index',), _point(i)) for i, axis in enumerate("xyz")},
@@ -124,9 +122,9 @@ KINDS = {
     'basis': Kind(('index', 'at'), _basis),
     'distance': Kind(('to',), _distance),
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
-    'setting': Kind(('name',), None),
+    'setting': Kind(('name',), _setting, 'shown'),
     **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
-    **{name: Kind(*each, True) for name, each in seam_measures.MEASURES.items()},
+    **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)
