@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from . import curve_measures, seam_measures
 from .lesson import Measure
 
 
@@ -18,15 +19,11 @@ class Shown(NamedTuple):
 
 def measured(measure, shapes):
     """The number of a Measure; shapes: {name: Shown}. Raises Refusal, or an error of the library."""
-    if measure.shape not in shapes:
-        raise Refusal(f"there is no shape {measure.shape!r} now")
-    shown = shapes[measure.shape]
+    shown, kind = _known(shapes, measure.shape), KINDS[measure.kind]
     given = {name: measured(value, shapes) if isinstance(value, Measure) else value for name, value in measure.arguments.items()}
-    if measure.kind == 'setting':
-        return _setting(shown, **given)
     if 'to' in given:
-        given['to'] = _curve(_known(shapes, given['to']), 1)
-    return float(KINDS[measure.kind].function(_curve(shown, int(given.pop('piece', 1))), **given))
+        given['to'] = _TAKEN[kind.of](_known(shapes, given['to']), 1)
+    return float(kind.function(_TAKEN[kind.of](shown, int(given.pop('piece', 1))), **given))
 
 
 def _known(shapes, name):
@@ -38,7 +35,7 @@ def _known(shapes, name):
 def _setting(shown, name):
     if not isinstance(shown.settings.get(name), (int, float)):
         raise Refusal(f"the shape has no number {name!r}")
-    return float(shown.settings[name])
+    return shown.settings[name]
 
 
 def _curve(shown, piece):
@@ -48,6 +45,17 @@ def _curve(shown, piece):
     if not hasattr(values[piece - 1], 'domain') or isinstance(values[piece - 1].domain[0], tuple):
         raise Refusal("it is not a curve")
     return values[piece - 1]
+
+
+def _patches(shown, _piece):
+    found = shown.value if isinstance(shown.value, (list, sc.PatchSet)) else [shown.value]
+    if not hasattr(found[0], 'domain') or not isinstance(found[0].domain[0], tuple):
+        raise Refusal("it is not a surface")
+    return [found[i] for i in range(len(found))]
+
+
+#: What the function of a Kind takes, of a Shown and the number of a piece.
+_TAKEN = {'curve': _curve, 'patches': _patches, 'shown': lambda shown, _piece: shown}
 
 
 def _coordinate(axis):
@@ -92,13 +100,14 @@ def _speed(curve, at):
 
 
 class Kind(NamedTuple):
-    """A kind of Measure: what it takes beside the shape and a piece, and how it is found of a curve."""
+    """A kind of Measure: what it takes beside the shape, and how it is found."""
 
     takes: tuple
     function: object
+    of: str = 'curve'                   # what the function takes: a 'curve', of which the piece can be said, its 'patches', or the 'shown'
 
 
-#: What measures there are beside 'setting', a number of a recipe. `at` is a parameter, `index` counts control points from 0.
+#: What measures there are. `at` is a parameter, `index` counts control points from 0.
 KINDS = {
     **{axis: Kind(('at',), _coordinate(i)) for i, axis in enumerate("xyz")},
     **{f"point_{axis}": Kind(('index',), _point(i)) for i, axis in enumerate("xyz")},
@@ -113,7 +122,9 @@ KINDS = {
     'basis': Kind(('index', 'at'), _basis),
     'distance': Kind(('to',), _distance),
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
-    'setting': Kind(('name',), None),
+    'setting': Kind(('name',), _setting, 'shown'),
+    **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
+    **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)
