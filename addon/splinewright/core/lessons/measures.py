@@ -6,27 +6,26 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from . import facets
 from .lesson import Measure
 
 
 class Shown(NamedTuple):
-    """A shape that is there: its value, and the settings of its recipe."""
+    """A shape that is there: its value, the settings of its recipe, and how a surface is drawn."""
 
     value: object
     settings: dict
+    facets: object = None               # () -> facets.Facets; None of a curve
 
 
 def measured(measure, shapes):
     """The number of a Measure; shapes: {name: Shown}. Raises Refusal, or an error of the library."""
-    if measure.shape not in shapes:
-        raise Refusal(f"there is no shape {measure.shape!r} now")
-    shown = shapes[measure.shape]
+    shown, kind = _known(shapes, measure.shape), KINDS[measure.kind]
     given = {name: measured(value, shapes) if isinstance(value, Measure) else value for name, value in measure.arguments.items()}
-    if measure.kind == 'setting':
-        return _setting(shown, **given)
     if 'to' in given:
         given['to'] = _curve(_known(shapes, given['to']), 1)
-    return float(KINDS[measure.kind].function(_curve(shown, int(given.pop('piece', 1))), **given))
+    what = _curve(shown, int(given.pop('piece', 1))) if kind.of == 'curve' else shown
+    return float(kind.function(what, **given))
 
 
 def _known(shapes, name):
@@ -38,7 +37,7 @@ def _known(shapes, name):
 def _setting(shown, name):
     if not isinstance(shown.settings.get(name), (int, float)):
         raise Refusal(f"the shape has no number {name!r}")
-    return float(shown.settings[name])
+    return shown.settings[name]
 
 
 def _curve(shown, piece):
@@ -91,14 +90,42 @@ def _speed(curve, at):
     return np.linalg.norm(curve.to_nurbs().derivatives([at], 1)[0][1])
 
 
+def _jump(curve, at, order):
+    """How far the derivatives of an order on both sides of a parameter differ."""
+    nurbs, order = curve.to_nurbs(), int(order)
+    if not 0 <= order <= nurbs.degree:
+        raise Refusal(f"derivatives have the orders 0 to {nurbs.degree}")
+    before, after = (nurbs.derivatives(at, order, side=side)[order] for side in ('left', 'right'))
+    return np.linalg.norm(after - before)
+
+
+def _joint(name):
+    return lambda curve, to: getattr(curve.continuity_to(to), name)
+
+
+def _limit(end, axis):
+    return lambda curve: curve.bounding_box()[end][axis]
+
+
+def _drawn(function):
+    """A measure of how a surface is drawn."""
+    def found(shown):
+        if shown.facets is None:
+            raise Refusal("it is not a surface")
+        return function(shown.facets(), shown.value)
+    return found
+
+
 class Kind(NamedTuple):
-    """A kind of Measure: what it takes beside the shape and a piece, and how it is found of a curve."""
+    """A kind of Measure: what it takes beside the shape, and how it is found."""
 
     takes: tuple
     function: object
+    of: str = 'curve'                   # what the function takes: a 'curve', of which the piece can be said, or the 'shown'
 
 
-#: What measures there are beside 'setting', a number of a recipe. `at` is a parameter, `index` counts control points from 0.
+#: What measures there are. `at` is a parameter, `index` counts control points from 0, `to` is another curve; joint_… is said of the end
+#: of a curve and the start of that one, low_x … high_z are the limits of the box around a curve. Angles are in radians.
 KINDS = {
     **{axis: Kind(('at',), _coordinate(i)) for i, axis in enumerate("xyz")},
     **{f"point_{axis}": Kind(('index',), _point(i)) for i, axis in enumerate("xyz")},
@@ -110,10 +137,15 @@ KINDS = {
     **{name: Kind(('at',), _continuity(name)) for name in ('c', 'g', 'gap', 'angle')},
     'curvature': Kind(('at',), lambda curve, at: curve.curvature(at)),
     'speed': Kind(('at',), _speed),
+    'jump': Kind(('at', 'order'), _jump),
     'basis': Kind(('index', 'at'), _basis),
     'distance': Kind(('to',), _distance),
+    **{f"joint_{name}": Kind(('to',), _joint(name)) for name in ('c', 'g', 'gap', 'angle')},
+    **{f"{name}_{axis}": Kind((), _limit(end, i)) for end, name in enumerate(('low', 'high')) for i, axis in enumerate("xyz")},
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
-    'setting': Kind(('name',), None),
+    'setting': Kind(('name',), _setting, 'shown'),
+    'faces': Kind((), _drawn(facets.count), 'shown'),
+    'facet_distance': Kind((), _drawn(facets.distance), 'shown'),
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)
