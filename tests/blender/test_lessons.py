@@ -36,6 +36,7 @@ def test_every_step_is_made_and_every_question_has_its_answer(lesson):
     scene = started(lesson)
     for number, each in enumerate(lesson.steps):
         assert stage.step_of(scene) == number
+        assert all(getattr(scene.splinewright_sights, name, False) for name in each.overlays)
         for watch in each.watch:
             assert part('core.lessons.checking').watched(watch, stage.shapes_of(scene))
         if each.ask is not None and each.ask.kind == 'do':

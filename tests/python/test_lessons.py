@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 import splinecore as sc
-from addon_core import core
+from addon_core import ADDON, core
 
-reading, measures, checking, failures = (core(f"lessons.{name}") if name != 'failures' else core("base.failures")
-                                         for name in ('reading', 'measures', 'checking', 'failures'))
+reading, measures, checking, facets = (core(f"lessons.{name}") for name in ('reading', 'measures', 'checking', 'facets'))
+failures = core("base.failures")
+FILES = sorted((ADDON / "lessons").glob("*.json"))
 
 
 def value(shape):
@@ -75,6 +76,81 @@ def test_other_measures():
     assert measures.measured(measures.Measure('distance', "curve", {'to': "other"}), shapes) == pytest.approx(np.sqrt(100 / 29), rel=1e-3)
 
 
+CORNER = sc.HermiteCurve([(0, 0), (1, 0), (1, 2)], [[(1, 0), (1, 0)], [(1, 0), (0, 3)], [(0, 1), (0, 1)]])
+STOP = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 1, 1, 3, 3, 3, 3], [(0, 0), (0, 2), (3, 3), (3, 3), (3, 3), (7, 1), (8, 0)])
+
+
+@pytest.mark.parametrize('kind, arguments, curve, wanted', (
+    ('jump', {'at': 1.0, 'order': 1}, CORNER, np.sqrt(10)), ('jump', {'at': 0.5, 'order': 1}, CORNER, 0.0), ('angle', {'at': 1.0}, CORNER, np.pi / 2),
+    ('jump', {'at': 1.0, 'order': 1}, STOP, 0.0), ('jump', {'at': 1.0, 'order': 0}, CORNER, 0.0),
+    ('jump', {'at': 1.0, 'order': 3}, STOP, np.hypot(30.75, 2.25)), ('c', {'at': 1.0}, STOP, 1), ('g', {'at': 1.0}, STOP, 0), ('high_y', {}, LOOP, 1.5),
+    ('low_x', {}, LOOP, 0.0), ('high_x', {}, LOOP, 1.0), ('low_y', {}, LOOP, 0.0), ('high_z', {}, LOOP, 0.0)))
+def test_measures_of_joints_and_boxes(kind, arguments, curve, wanted):
+    found = measures.measured(measures.Measure(kind, "curve", arguments), shown(curve=curve))
+    assert found == pytest.approx(wanted, abs=1e-4)
+
+
+@pytest.mark.parametrize('start, head, wanted', (
+    ((3, 4, 0), (6, 8, 0), {'c': 1, 'g': 1, 'gap': 0, 'angle': 0}), ((3, 4, 0), (4.5, 6, 0), {'c': 0, 'g': 1, 'gap': 0, 'angle': 0}),
+    ((3, 4, 0), (-1, 7, 0), {'c': 0, 'g': 0, 'gap': 0, 'angle': np.pi / 2}), ((3, 4, 2), (6, 8, 2), {'c': -1, 'g': -1, 'gap': 2, 'angle': 0})))
+def test_measures_of_a_joint_with_another_curve(start, head, wanted):
+    shapes = {'line': measures.Shown(sc.BezierCurve([(0, 0, 0), (3, 4, 0)]), {}), 'next': measures.Shown(sc.BezierCurve([start, head]), {})}
+    for name, number in wanted.items():
+        if name in ('c', 'g') and number == 1:
+            assert measures.measured(measures.Measure(f"joint_{name}", "line", {'to': "next"}), shapes) >= 1
+        else:
+            assert measures.measured(measures.Measure(f"joint_{name}", "line", {'to': "next"}), shapes) == pytest.approx(number, abs=1e-7)
+
+
+def drawn(value, places, faces):
+    """A Shown of a surface with a mesh of quadrangles."""
+    edges = {tuple(sorted(pair)) for face in faces for pair in zip(face, (*face[1:], face[0]))}
+    mesh = facets.Facets(np.array(places, dtype=float), np.array(sorted(edges)), np.concatenate(faces), 4 * np.arange(len(faces)))
+    return {'surface': measures.Shown(value, {}, lambda: mesh)}
+
+
+@pytest.mark.parametrize('count', (3, 8, 40))
+@pytest.mark.parametrize('as_set', (False, True))
+def test_facets_of_a_cylinder_are_as_far_as_the_middles_of_chords(count, as_set):
+    turns = 2 * np.pi * np.arange(count) / count
+    places = [(2 * np.cos(t), 2 * np.sin(t), z) for z in (0, 1) for t in turns]
+    faces = [(i, (i + 1) % count, count + (i + 1) % count, count + i) for i in range(count)]
+    cylinder = sc.build.cylinder((0, 0, 0), (0, 0, 1), 2.0, 1.0)
+    shapes = drawn(sc.PatchSet.from_patches([cylinder]) if as_set else cylinder, places, faces)
+    assert measures.measured(measures.Measure('faces', "surface", {}), shapes) == count
+    found = measures.measured(measures.Measure('facet_distance', "surface", {}), shapes)
+    assert found == pytest.approx(2 * (1 - np.cos(np.pi / count)), rel=1e-9)
+
+
+@pytest.mark.parametrize('top, corner, wanted', ((0.4, 0, 0.1), (0, 0, 0), (0, 1, 0.5)))
+def test_edges_and_middles_of_facets_are_measured(top, corner, wanted):
+    """A square under a hill that is a quarter as high as its middle control point, and one of which a corner is lifted from the plane."""
+    hill = sc.BezierPatch([[(u, v, top * (u == v == 0.5)) for v in (0, 0.5, 1)] for u in (0, 0.5, 1)])
+    shapes = drawn(hill, [(0, 0, 0), (1, 0, 0), (1, 1, corner), (0, 1, 0)], [(0, 1, 2, 3)])
+    assert measures.measured(measures.Measure('facet_distance', "surface", {}), shapes) == pytest.approx(wanted, abs=1e-12)
+
+
+@pytest.mark.parametrize('kind, arguments, said', (
+    ('faces', {}, "it is not a surface"), ('facet_distance', {}, "it is not a surface"), ('setting', {'name': "radius"}, "no number 'radius'"),
+    ('length', {'piece': 2}, "no piece 2"), ('jump', {'at': 0.5, 'order': 4}, "orders 0 to 3"), ('joint_g', {'to': "nobody"}, "no shape 'nobody' now"), ('point_x', {'index': 4}, "no control point 4")))
+def test_what_cannot_be_measured_is_a_sentence(kind, arguments, said):
+    with pytest.raises(failures.Refusal, match=said):
+        measures.measured(measures.Measure(kind, "curve", arguments), shown())
+    with pytest.raises(failures.Refusal, match="it is not a curve"):
+        measures.measured(measures.Measure('length', "surface", {}), drawn(sc.build.sphere((0, 0, 0), 1.0), np.eye(4, 3), [(0, 1, 2, 3)]))
+
+
+@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
+def test_a_lesson_of_the_add_on_asks_and_its_pictures_have_numbers(path):
+    lesson = reading.read(path.read_text(encoding="utf-8"))
+    asks = [step.ask for step in lesson.steps if step.ask]
+    assert asks and lesson.lectures and path.stem[:2].isdigit() and path.stem[3:] == lesson.name
+    assert all(step.hint for step in lesson.steps if step.ask)
+    for ask in asks:
+        assert ask.kind != 'choose' or len(set(ask.choices)) == len(ask.choices)
+    assert all(step.wrong for step in lesson.steps if step.ask and step.ask.kind == 'do')
+
+
 def changed(*path, to):
     """The lesson with something else at a place; None as `to` takes it away."""
     other = copy.deepcopy(LESSON)
@@ -99,7 +175,12 @@ DO = ('steps', 1, 'ask', 'do', 0)
     ((*STEP, 'make', 1, 'recipe'), "exec", "there is no recipe 'exec'"), ((*STEP, 'make', 1, 'of'), [], "it is made from one curve, not from 0"),
     ((*STEP, 'make', 1, 'of'), ["nobody"], "no shape 'nobody' yet"), ((*STEP, 'make', 1, 'set'), {'position': "far"}, "it must be a number"),
     ((*STEP, 'make', 1, 'set'), {'position': 7.0}, "from 0 to 1"), ((*STEP, 'make', 1, 'set'), {'wings': 2}, "has no setting 'wings'"),
-    ((*STEP, 'make', 1, 'shape'), "curve", "is there already"), ((*STEP, 'view'), "BELOW", "must be one of TOP"),
+    ((*STEP, 'make', 1, 'points'), [[0, 0, 0]], "no recipe that is made from points"), ((*STEP, 'make', 1, 'faces'), [3], "two numbers up to 100"),
+    ((*STEP, 'make', 1, 'faces'), [3, 101], "two numbers up to 100"), ((*STEP, 'make', 1, 'faces'), [0, 3], "a whole number from 1"),
+    ((*STEP, 'make', 1, 'place'), [0, 3], "a point [x, y, z]".replace("[", r"\[")), ((*STEP, 'make', 0, 'place'), [0, 3, 0], "only what a recipe makes"),
+    (('steps', 1, 'solution'), [{'shape': "steps", 'points': [[0, 0, 0]]}], "no recipe that is made from points"),
+    (('steps', 1, 'solution'), [{'shape': "steps"}], "one of value, set, points, faces"),
+    ((*STEP, 'watch', 0, 'values', 0, 'piece'), 1, "'piece' is not known"), ((*STEP, 'make', 1, 'shape'), "curve", "is there already"), ((*STEP, 'view'), "BELOW", "must be one of TOP"),
     ((*STEP, 'move', 0, 'setting'), "wings", "has no setting 'wings'"), ((*STEP, 'move', 1, 'points'), [-1], "a whole number from 0"),
     ((*STEP, 'watch', 0, 'text'), "x = {5}", "stand for its values"), ((*STEP, 'watch', 0, 'values', 0, 'measure'), "eval", "a measure is expected"),
     ((*STEP, 'watch', 0, 'values', 0, 'name'), "wings", "no setting 'wings'"), ((*DO, 'near'), None, "one of near, above, below"),

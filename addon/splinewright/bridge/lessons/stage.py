@@ -1,11 +1,14 @@
 """The scene of a lesson: steps build its shapes, and answers are kept with it."""
 
 import json
+from functools import partial
 
 import bpy
+import numpy as np
 
 from ...core.base.failures import Refusal
 from ...core.lessons import checking
+from ...core.lessons.facets import Facets
 from ...core.lessons.measures import Shown
 from ...core.recipes.table import RECIPES
 from ..data import blocks, settings
@@ -73,13 +76,15 @@ def _make(scene, make):
         if make.inputs:
             ob = making.from_objects(recipe, [object_of(scene, name) for name in make.inputs], make.settings, None, scene, graph)
         else:
-            data = making.from_points(recipe, None, make.settings, scene)
+            data = making.from_points(recipe, make.points or None, make.settings, scene)
             ob = bpy.data.objects.new(data.name, data)
     else:
         data = shape.new_data(make.shape, make.value, (12, 12, settings.AUTOMATIC))
         ob = bpy.data.objects.new(make.shape, data)
-    ob[SHAPE] = make.shape
+    ob[SHAPE], ob.location = make.shape, make.place
     scene.collection.objects.link(ob)
+    if make.faces:
+        settings.set_count(ob.data, *make.faces)
     _graph(scene)
 
 
@@ -87,8 +92,13 @@ def change(scene, changes):
     """Give shapes other values or settings. Raises as begin()."""
     for one in changes:
         data = object_of(scene, one.shape).data
+        if one.faces:
+            settings.set_count(data, *one.faces)
+            continue
         if one.value is not None:
             shape.set_value(data, one.value)
+        elif one.points:
+            recipe_edit.set_points(data, one.points)
         elif recipes.follows(data):
             follow.set_parameters(data, one.settings, _graph(scene))
         else:
@@ -112,8 +122,22 @@ def object_of(scene, name):
 
 def shapes_of(scene):
     """{name: core.lessons.measures.Shown} of the shapes that are there. Raises UnreadableDefinition."""
-    found = [ob for ob in scene.objects if SHAPE in ob.keys() and shape.has_shape(ob)]
-    return {str(ob[SHAPE]): Shown(shape.value_of(ob.data), recipes.parameters(ob.data) if recipes.has(ob.data) else {}) for ob in found}
+    return {str(ob[SHAPE]): _shown(ob.data) for ob in scene.objects if SHAPE in ob.keys() and shape.has_shape(ob)}
+
+
+def _shown(data):
+    drawn = partial(_facets, data) if isinstance(data, bpy.types.Mesh) else None
+    return Shown(shape.value_of(data), recipes.parameters(data) if recipes.has(data) else {}, drawn)
+
+
+def _facets(mesh):
+    places, edges = np.empty(3 * len(mesh.vertices), np.float32), np.empty(2 * len(mesh.edges), np.int32)
+    corners, starts = np.empty(len(mesh.loops), np.int32), np.empty(len(mesh.polygons), np.int32)
+    mesh.vertices.foreach_get('co', places)
+    mesh.edges.foreach_get('vertices', edges)
+    mesh.loops.foreach_get('vertex_index', corners)
+    mesh.polygons.foreach_get('loop_start', starts)
+    return Facets(places.reshape(-1, 3).astype(np.float64), edges.reshape(-1, 2), corners, starts)
 
 
 def answer(scene, lesson, given=None):

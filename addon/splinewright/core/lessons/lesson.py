@@ -17,15 +17,20 @@ class Make:
     recipe: str = ""
     inputs: tuple = ()                  # names of shapes
     settings: dict = field(default_factory=dict)
+    points: tuple = ()                  # rows (x, y, z) that the recipe is made from; () for those that it starts from
+    faces: tuple = ()                   # of a surface: how many in each span, for u and v; () where the add-on chooses
+    place: tuple = (0.0, 0.0, 0.0)      # of the object that a recipe makes; measures take shapes in their own space
 
 
 @dataclass(frozen=True)
 class Change:
-    """Another value or other settings of a shape."""
+    """Another value, other settings, points or faces of a shape."""
 
     shape: str
     value: object = None
     settings: dict = field(default_factory=dict)
+    points: tuple = ()
+    faces: tuple = ()
 
 
 class Measure(NamedTuple):

@@ -6,15 +6,16 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
-from . import curve_measures, seam_measures
+from . import curve_measures, facets, seam_measures
 from .lesson import Measure
 
 
 class Shown(NamedTuple):
-    """A shape that is there: its value, and the settings of its recipe."""
+    """A shape that is there: its value, the settings of its recipe, and how a surface is drawn."""
 
     value: object
     settings: dict
+    facets: object = None               # () -> facets.Facets; None of a curve
 
 
 def measured(measure, shapes):
@@ -99,6 +100,32 @@ def _speed(curve, at):
     return np.linalg.norm(curve.to_nurbs().derivatives([at], 1)[0][1])
 
 
+def _jump(curve, at, order):
+    """How far the derivatives of an order on both sides of a parameter differ."""
+    nurbs, order = curve.to_nurbs(), int(order)
+    if not 0 <= order <= nurbs.degree:
+        raise Refusal(f"derivatives have the orders 0 to {nurbs.degree}")
+    before, after = (nurbs.derivatives(at, order, side=side)[order] for side in ('left', 'right'))
+    return np.linalg.norm(after - before)
+
+
+def _joint(name):
+    return lambda curve, to: getattr(curve.continuity_to(to), name)
+
+
+def _limit(end, axis):
+    return lambda curve: curve.bounding_box()[end][axis]
+
+
+def _drawn(function):
+    """A measure of how a surface is drawn."""
+    def found(shown):
+        if shown.facets is None:
+            raise Refusal("it is not a surface")
+        return function(shown.facets(), shown.value)
+    return found
+
+
 class Kind(NamedTuple):
     """A kind of Measure: what it takes beside the shape, and how it is found."""
 
@@ -107,7 +134,8 @@ class Kind(NamedTuple):
     of: str = 'curve'                   # what the function takes: a 'curve', of which the piece can be said, its 'patches', or the 'shown'
 
 
-#: What measures there are. `at` is a parameter, `index` counts control points from 0.
+#: What measures there are. `at` is a parameter, `index` counts control points from 0, `to` is another curve; joint_… is said of the end
+#: of a curve and the start of that one, low_x … high_z are the limits of the box around a curve. Angles are in radians.
 KINDS = {
     **{axis: Kind(('at',), _coordinate(i)) for i, axis in enumerate("xyz")},
     **{f"point_{axis}": Kind(('index',), _point(i)) for i, axis in enumerate("xyz")},
@@ -119,12 +147,17 @@ KINDS = {
     **{name: Kind(('at',), _continuity(name)) for name in ('c', 'g', 'gap', 'angle')},
     'curvature': Kind(('at',), lambda curve, at: curve.curvature(at)),
     'speed': Kind(('at',), _speed),
+    'jump': Kind(('at', 'order'), _jump),
     'basis': Kind(('index', 'at'), _basis),
     'distance': Kind(('to',), _distance),
+    **{f"joint_{name}": Kind(('to',), _joint(name)) for name in ('c', 'g', 'gap', 'angle')},
+    **{f"{name}_{axis}": Kind((), _limit(end, i)) for end, name in enumerate(('low', 'high')) for i, axis in enumerate("xyz")},
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
     'setting': Kind(('name',), _setting, 'shown'),
     **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
     **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
+    'faces': Kind((), _drawn(facets.count), 'shown'),
+    'facet_distance': Kind((), _drawn(facets.distance), 'shown'),
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)

@@ -11,6 +11,8 @@ from .measures import KINDS
 FORMAT = 1
 #: Most bytes of a file, steps of a lesson, entries of a list, characters of a text.
 MOST_BYTES, MOST_STEPS, MOST_ENTRIES, MOST_TEXT = 2_000_000, 60, 40, 2000
+#: Most faces of a span, each way.
+MOST_FACES = 100
 _VIEWS = ('TOP', 'FRONT', 'RIGHT', 'FREE')
 _RELATIONS = ('near', 'above', 'below')
 
@@ -111,14 +113,16 @@ def _list(found, name):
 
 
 def _make(place, known):
-    found = place.fields(('shape',), ('value', 'recipe', 'of', 'set'))
+    found = place.fields(('shape',), ('value', 'recipe', 'of', 'set', 'points', 'faces', 'place'))
     name = found['shape'].text()
     if name in known:
         found['shape'].fail(f"{name!r} is there already")
     if ('value' in found) == ('recipe' in found):
         place.fail("either a value or a recipe is expected")
     if 'value' in found:
-        made = Make(name, _value(found['value']))
+        if 'place' in found:
+            found['place'].fail("only what a recipe makes has a place")
+        made = Make(name, _value(found['value']), faces=_faces(found))
     else:
         made = _made_by_recipe(found, name, known)
     known[name] = made.recipe
@@ -132,7 +136,34 @@ def _made_by_recipe(found, name, known):
     inputs = tuple(_shape(one, known) for one in _list(found, 'of'))
     if not RECIPES[recipe].takes(len(inputs)):
         found['recipe'].fail(f"it is made from {RECIPES[recipe].wanted or 'no shapes'}, not from {len(inputs)}")
-    return Make(name, None, recipe, inputs, _settings(found.get('set'), recipe))
+    points = _points(found['points'], recipe) if 'points' in found else ()
+    at = _point(found['place']) if 'place' in found else (0.0, 0.0, 0.0)
+    return Make(name, None, recipe, inputs, _settings(found.get('set'), recipe), points, _faces(found), at)
+
+
+def _points(place, recipe):
+    if not recipe or not RECIPES[recipe].points:
+        place.fail("the shape has no recipe that is made from points")
+    found = tuple(_point(one) for one in place.entries())
+    if not found:
+        place.fail("a list of points [x, y, z] is expected")
+    return found
+
+
+def _point(place):
+    found = tuple(one.number() for one in place.entries())
+    if len(found) != 3:
+        place.fail("a point [x, y, z] is expected")
+    return found
+
+
+def _faces(found):
+    if 'faces' not in found:
+        return ()
+    faces = tuple(one.whole(1) for one in found['faces'].entries())
+    if len(faces) != 2 or max(faces) > MOST_FACES:
+        found['faces'].fail(f"two numbers up to {MOST_FACES} are expected")
+    return faces
 
 
 def _changes(place, known):
@@ -140,10 +171,14 @@ def _changes(place, known):
 
 
 def _change(place, known):
-    found = place.fields(('shape',), ('value', 'set'))
+    found = place.fields(('shape',), ('value', 'set', 'points', 'faces'))
     name = _shape(found['shape'], known)
-    if ('value' in found) == ('set' in found):
-        place.fail("either a value or settings are expected")
+    if len(found) != 2:
+        place.fail("one of value, set, points, faces is expected")
+    if 'points' in found:
+        return Change(name, points=_points(found['points'], known[name]))
+    if 'faces' in found:
+        return Change(name, faces=_faces(found))
     if 'value' in found:
         if known[name]:
             place.fail(f"{name!r} is made by a recipe: it has settings, and no value of a file")
@@ -209,10 +244,10 @@ def _measure(place, known):
     if not isinstance(place.found, dict) or place.found.get('measure') not in KINDS:
         place.fail(f"a measure is expected: {', '.join(KINDS)}")
     kind = place.found['measure']
-    found = place.fields(('measure', 'of', *KINDS[kind].takes), ('piece',))
+    found = place.fields(('measure', 'of', *KINDS[kind].takes), ('piece',) if KINDS[kind].of == 'curve' else ())
     name = _shape(found['of'], known)
     arguments = {}
-    for argument in (*KINDS[kind].takes, *(('piece',) if 'piece' in found else ())):
+    for argument in found.keys() - {'measure', 'of'}:
         arguments[argument] = _argument(argument, found[argument], name, known)
     return Measure(kind, name, arguments)
 
@@ -222,7 +257,7 @@ def _argument(name, place, shape, known):
         return _shape(place, known)
     if name == 'name':
         return _setting(place, known[shape])
-    if name in ('index', 'piece'):
+    if name in ('index', 'order', 'piece'):
         return place.whole(1 if name == 'piece' else 0)
     return _quantity(place, known)
 
