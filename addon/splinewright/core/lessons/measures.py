@@ -154,10 +154,10 @@ KINDS = {
     **{f"{name}_{axis}": Kind((), _limit(end, i)) for end, name in enumerate(('low', 'high')) for i, axis in enumerate("xyz")},
     'self_intersections': Kind((), lambda curve: len(curve.to_nurbs().self_intersections().points)),
     'setting': Kind(('name',), _setting, 'shown'),
-    **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
-    **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
     'faces': Kind((), _drawn(facets.count), 'shown'),
     'facet_distance': Kind((), _drawn(facets.distance), 'shown'),
+    **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
+    **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)
