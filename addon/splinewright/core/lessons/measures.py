@@ -23,9 +23,8 @@ def measured(measure, shapes):
     shown, kind = _known(shapes, measure.shape), KINDS[measure.kind]
     given = {name: measured(value, shapes) if isinstance(value, Measure) else value for name, value in measure.arguments.items()}
     if 'to' in given:
-        given['to'] = _curve(_known(shapes, given['to']), 1)
-    what = _curve(shown, int(given.pop('piece', 1))) if kind.of == 'curve' else shown
-    return float(kind.function(what, **given))
+        given['to'] = _TAKEN[kind.of](_known(shapes, given['to']), 1)
+    return float(kind.function(_TAKEN[kind.of](shown, int(given.pop('piece', 1))), **given))
 
 
 def _known(shapes, name):
@@ -47,6 +46,10 @@ def _curve(shown, piece):
     if not hasattr(values[piece - 1], 'domain') or isinstance(values[piece - 1].domain[0], tuple):
         raise Refusal("it is not a curve")
     return values[piece - 1]
+
+
+#: What the function of a Kind takes, of a Shown and the number of a piece.
+_TAKEN = {'curve': _curve, 'shown': lambda shown, _piece: shown}
 
 
 def _coordinate(axis):
