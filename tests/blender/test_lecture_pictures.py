@@ -97,7 +97,7 @@ def test_the_triangle_of_a_curve_follows_its_knots():
 def test_discs_have_the_colors_of_the_functions_and_take_keys():
     source = add(sc.BezierCurve(PLANE), "curve")
     ob = made('discs', source, position=0.0, radius=0.5)
-    assert names_of(ob) == [f"N_{{{i},3}}" for i in range(4)] + ["mark C  u = 0"]
+    assert names_of(ob) == [f"B_{{{i},3}}" for i in range(4)] + ["mark C  u = 0"]
     graphs = made('basis', source, show='functions', axes=False)
     colors, others = piece_materials.colors_of(ob.data), piece_materials.colors_of(graphs.data)
     assert all(colors[name] == others[name] for name in names_of(ob)[:4])

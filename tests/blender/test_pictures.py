@@ -48,7 +48,7 @@ def test_hulls_are_made_of_every_kind_of_surface(name, of):
 def test_halving_follows_the_curve_step_by_step():
     source = add(sc.BezierCurve(CORNERS), "curve")
     ob = made('halving', source, steps=2, distance=6.0)
-    assert names_of(ob) == ["step 0", "step 1", "step 2"] and [spline.material_index for spline in ob.data.splines] == [2, 3, 4]
+    assert names_of(ob) == ["step 0", "step 1", "step 2"] and [spline.material_index for spline in ob.data.splines] == [3, 4, 5]
     source.data.splinewright.value = sc.BezierCurve(CORNERS + (0, 0, 1))
     bpy.context.view_layer.update()
     assert np.array_equal(ob.data.splinewright.value[1].points[3], (8, 3, 1))
@@ -61,7 +61,7 @@ def test_hulls_follow_and_intersections_have_one_color():
     source = add(sc.NurbsCurve(*SPLINE), "curve")
     ob = made('hulls', source, show='both')
     assert names_of(ob) == ["hull 0", "hull 1", "hull 2", "intersection", "intersection"]
-    assert [spline.material_index for spline in ob.data.splines] == [2, 3, 4, 5, 5]
+    assert [spline.material_index for spline in ob.data.splines] == [3, 4, 5, 6, 6]
     source.data.splinewright.value = source.data.splinewright.value.insert_knot(2.0)
     bpy.context.view_layer.update()
     assert names_of(ob).count("hull 3") == 1

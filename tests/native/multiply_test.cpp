@@ -36,6 +36,7 @@ TEST(Multiplied, TakesNumbersAboveZeroOnly) {
   const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1, 2, 3, 2}});
   EXPECT_THROW(multiplied(curve, 0.0, 1.0), InvalidShape);
   EXPECT_THROW(multiplied(curve, 1.0, -1.0), InvalidShape);
+  EXPECT_THROW(multiplied(curve, 1e-320, 1.0), InvalidShape);
   EXPECT_THROW(multiplied(curve, 1.0, std::numeric_limits<double>::infinity()), InvalidShape);
 }
 

@@ -1813,9 +1813,9 @@ class NurbsCurve:
         Parameters
         ----------
         start : float
-            The function at the start of the domain, a positive number.
+            The function at the start of the domain, a number from 1e-100 to 1e100.
         end : float
-            The function at the end.
+            The function at the end, such a number.
 
         Returns
         -------
@@ -1825,8 +1825,8 @@ class NurbsCurve:
         Raises
         ------
         InvalidShape
-            Unless both numbers are above 0, if a weight would leave the range of numbers, and if the
-            degree would exceed 255.
+            If a number is not within these limits, if a weight would leave the range of numbers, and if
+            the degree would exceed 255.
 
         References
         ----------
@@ -3759,9 +3759,9 @@ class BezierCurve:
         Parameters
         ----------
         start : float
-            The function at the start of the domain, a positive number.
+            The function at the start of the domain, a number from 1e-100 to 1e100.
         end : float
-            The function at the end.
+            The function at the end, such a number.
 
         Returns
         -------
@@ -3771,8 +3771,8 @@ class BezierCurve:
         Raises
         ------
         InvalidShape
-            Unless both numbers are above 0, if a weight would leave the range of numbers, and if the
-            degree would exceed 255.
+            If a number is not within these limits, if a weight would leave the range of numbers, and if
+            the degree would exceed 255.
 
         References
         ----------

@@ -1,6 +1,5 @@
 #include "splinecore/curve/multiply.hpp"
 
-#include <cmath>
 #include <string>
 
 #include "basis/elevation.hpp"
@@ -11,16 +10,20 @@ namespace splinecore {
 
 namespace {
 
-void require_positive(double value, const char* name) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  throw InvalidShape(name + std::string(" = ") + text_of(value) + " is not a finite number above 0");
+/// With factors beyond these, coordinates would lose digits or leave the range of numbers.
+constexpr double kLeast = 1e-100;
+constexpr double kMost = 1e100;
+
+void require_factor(double value, const char* name) {
+  if (value >= kLeast && value <= kMost) return;
+  throw InvalidShape(name + std::string(" = ") + text_of(value) + " is not a number from 1e-100 to 1e100");
 }
 
 }  // namespace
 
 NurbsCurve multiplied(const NurbsCurve& curve, double start, double end) {
-  require_positive(start, "start");
-  require_positive(end, "end");
+  require_factor(start, "start");
+  require_factor(end, "end");
   const NurbsCurve plain = curve.periodic() ? opened(curve, curve.domain().start) : curve;
   return applied(elevation(plain.knot_vector(), start, end), plain);
 }

@@ -32,10 +32,10 @@ class Hull(NamedTuple):
         return sorted({(min(pair), max(pair)) for face in self.faces for pair in zip(face, face[1:] + face[:1])})
 
 
-def hull(points):
-    """The Hull of points (n, 3), one at least."""
+def hull(points, near=0.0):
+    """The Hull of points (n, 3), one at least. near: what lies no farther apart is one, in whatever size."""
     points = np.asarray(points, dtype=np.float64)
-    near = FLAT * np.ptp(points, axis=0).max()
+    near = max(near, FLAT * np.ptp(points, axis=0).max())
     points = _apart(points, near)
     rank, axes = _frame(points, near)
     if rank == 3:
@@ -63,8 +63,8 @@ def intersection(one, other):
         if not len(corners):
             return None
         if len(corners) > 24:
-            corners = hull(corners).corners
-    return hull(corners)
+            corners = hull(corners, near).corners
+    return hull(corners, near)
 
 
 def _hull(rank, corners, faces, normals, points):

@@ -22,15 +22,15 @@ def shares(curve, u):
         return found / found.sum()
 
 
-def picture(curve, position, radius):
-    """(the Parts of a NurbsCurve, a warning or ""). position: 0 at the start, 1 at the end; radius: of a circle for the value 1."""
+def picture(curve, position, radius, letter="N"):
+    """(the Parts of a NurbsCurve, a warning or ""). letter: of its functions; position: 0 at the start, 1 at the end; radius: of a circle for the value 1."""
     start, end = curve.domain
     u = min(start + position * (end - start), end)
     values, parts = shares(curve, u), []
     if not np.isfinite(values).all():
         return [], "the point is at infinity: parts of it are not numbers"
     for i, value in enumerate(values):
-        place, name = signs.place(curve.homogeneous_points[i]), f"N_{{{i},{curve.degree}}}"
+        place, name = signs.place(curve.homogeneous_points[i]), f"{letter}_{{{i},{curve.degree}}}"
         if np.isfinite(place).all():
             parts.append(Part(name, _circle(place, radius * np.sqrt(abs(value)), radius)))
     point = curve.evaluate([u], side='left' if u == end else 'right')[0]

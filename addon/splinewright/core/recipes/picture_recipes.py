@@ -63,7 +63,8 @@ def _marks(inputs, steps, marker, tangents, arrow, derivatives):
 
 
 def _discs(inputs, piece, position, radius):
-    parts, warning = discs.picture(teaching.curve_of(inputs[0], piece).to_nurbs(), position, radius)
+    curve = teaching.curve_of(inputs[0], piece)
+    parts, warning = discs.picture(curve.to_nurbs(), position, radius, "B" if isinstance(curve, sc.BezierCurve) else "N")
     if not parts:
         raise Refusal(warning)
     return of_parts(parts, warning=warning)
