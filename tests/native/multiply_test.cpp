@@ -1,5 +1,7 @@
 #include "splinecore/curve/multiply.hpp"
 
+#include <limits>
+
 #include "support.hpp"
 
 namespace splinecore {

@@ -28,7 +28,7 @@ def links(parts, name):
     """{((i, degree), (i, degree))} by where arrows point."""
     found = set()
     for part in parts:
-        if part.name == name and len(part.curve.points) > 4:
+        if part.name == name and len(part.curve.points) == 10 and not np.array_equal(part.curve.points[0], part.curve.points[-1]):
             start, tip = part.curve.points[:2]
             along = (tip - start) / (1.0 - 2.0 * 0.22)
             ends = [start - 0.22 * along, start - 0.22 * along + along]
@@ -79,8 +79,12 @@ def test_support_leads_back_to_the_spans_of_the_function_and_wedges_are_all_that
         tops = {each for _, each in chosen if each[1] == degree}
         wanted = {(i, degree) for i in range(span - degree, span + 1) if 0 <= i < len(knots) - degree - 1} if knots[span] < knots[span + 1] else set()
         assert tops == wanted
-        border, = (part.curve.points for part in parts if part.name == f"wedge {span}" and len(part.curve.points) == 4)
+        border = next(part.curve.points for part in reversed(parts) if part.name == f"wedge {span}")
         assert np.array_equal(border[0], border[-1])
+        for i, level in {each for link in chosen for each in link}:
+            at = np.array([level, -0.6 * (i + level / 2)])
+            inside = [np.interp(at[0], *half.T[:2]) for half in (border[:len(border) // 2 - 1], border[len(border) // 2 + 1:-1][::-1])]
+            assert inside[1] < at[1] < inside[0]
 
 
 def test_lecture_on_0_to_3():

@@ -18,7 +18,7 @@ MOST = 150
 #: The parts of the way between two functions that their arrow leaves free.
 _FREE = 0.22
 #: How far the border of a wedge lies around it, as a part of the distance of functions.
-_AROUND = 0.3
+_AROUND = 0.35
 
 
 class Scheme(NamedTuple):
@@ -150,11 +150,12 @@ def _behind(last, width):
 
 
 def _border(of, span):
-    """A triangle around the functions of a span."""
-    on = sorted(_on_span(of, span), key=lambda each: (each[1], each[0])) or [(span, 0)]
-    highest = max(degree for _, degree in on)
-    ends = [min(i for i, degree in on if degree == highest), max(i for i, degree in on if degree == highest)]
-    first, low, high = of.place(span, 0), of.place(ends[1], highest), of.place(ends[0], highest)
-    x, y = _AROUND * of.across, _AROUND * of.down
-    corners = [first - (2.0 * x, 0, 0), low + (x, -2.0 * y, 0), high + (x, 2.0 * y, 0)]
-    return Part(f"{WEDGE} {span}", signs.polyline(np.array([*corners, corners[0]])))
+    """Around the span and its functions."""
+    on = _on_span(of, span) or {(span, 0)}
+    rows = [sorted(i for i, level in on if level == degree) for degree in range(max(level for _, level in on) + 1)]
+    away, before = np.array([0.0, _AROUND * of.down, 0.0]), np.array([of.across, 0.0, 0.0])
+    upper = [of.place(span, 0) - before + away, *(of.place(row[0], degree) + away for degree, row in enumerate(rows))]
+    lower = [of.place(span, 0) - before - away, *(of.place(row[-1], degree) - away for degree, row in enumerate(rows))]
+    end = _AROUND * before
+    corners = [*upper, upper[-1] + end, lower[-1] + end, *lower[::-1], upper[0]]
+    return Part(f"{WEDGE} {span}", signs.polyline(np.array(corners)))
