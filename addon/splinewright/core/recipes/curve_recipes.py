@@ -23,8 +23,7 @@ _KNOTS = Parameter("knots", "Knots", "Where an open curve has its knots", "avera
     ("not_a_knot", "Not a Knot", "At the points, but for those next to the ends"),
     ("natural", "Natural", "At the points; straight at both ends: odd degrees"),
     ("typed", "Typed", "As they are typed")), where=("closed", (False,)))
-_KNOT_VALUES = Parameter("knot_values", "Knot Values", "All knots, between spaces, of parameters from 0 to 1: as many as points and given "
-                         "derivatives, and degree + 1 more", "", where=("knots", ("typed",)))
+_KNOT_VALUES = Parameter("knot_values", "Knot Values", "All knots, between spaces, from 0 to 1: as many as points and derivatives, and degree + 1 more", "", where=("knots", ("typed",)))
 _START_AT = Parameter("start_derivative", "Derivative at Start", "x y z of an open curve, by parameters from 0 to 1; none where it is empty", "",
                       where=("closed", (False,)))
 _END_AT = Parameter("end_derivative", "Derivative at End", "x y z of an open curve, by parameters from 0 to 1; none where it is empty", "",
@@ -245,7 +244,7 @@ RECIPES = (
     Recipe("formula", "Curve from Formula", "A curve from formulas in t: exact for polynomials, otherwise within a tolerance",
            (*_FORMULAS, _TOLERANCE), _formula, resolution=8),
     Recipe("projection", "Orthogonal Projection of Formula",
-           "The spline on equal knots that is nearest to formulas in the mean square: no function of its degree and knots is left of the difference",
+           "The spline on equal knots that is nearest to formulas in the mean square",
            (*_FORMULAS, Parameter("degree", "Degree", "Of the spline", 3, 1, 9), Parameter("spans", "Spans", "Between equal knots", 8, 1, 500),
             Parameter("fixed_ends", "Fixed Ends", "Begin and end where the formulas do", False)), _projection, resolution=24, takes_cancel=True),
 )

@@ -36,11 +36,11 @@ def _view(inputs):
 
 RECIPES = (
     Recipe("lift", "Homogeneous Curve",
-           "The curve (X, Y, W) in space that a rational curve of a plane is the image of, with rays and the plane W = 1; it follows the curve",
+           "The curve (X, Y, W) that a rational curve is the image of, with rays and plane W = 1",
            (_HEIGHT, _PLANE_AT, _START, _END, _MARKER, _POLYGONS, _RAYS, _CONE, _PLANE, PIECE), _lift, thickness=0.004,
            inputs=(wanted.ONE_CURVE,)),
     Recipe("perspective", "Perspective Image",
-           "The rational curve in a plane that a curve in space stands for, seen from a point; it follows the curve",
+           "The rational curve in a plane that a curve in space stands for, as seen from a point",
            (Parameter("x", "Eye X", "Of the point that the curve is seen from", 0.0, unit='LENGTH'),
             Parameter("y", "Eye Y", "Of the point that the curve is seen from", 0.0, unit='LENGTH'),
             Parameter("z", "Eye Z", "Of the point that the curve is seen from", -1.0, unit='LENGTH'),

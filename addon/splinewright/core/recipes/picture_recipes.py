@@ -99,7 +99,7 @@ RECIPES = (
     Recipe("hulls", "Convex Hulls", "Convex hulls of the control points of spans, curves or patches; they follow when points move",
            (_HULLS_OF, _SHOW_HULLS, _MARKER), _hulls, thickness=0.004, inputs=(wanted.CURVE_OR_SURFACE,)),
     Recipe("chain_points", "Chain Points",
-           "The points d, e, f and g between a cubic spline and its Bezier form, with their ratios; they follow the curve",
+           "Points d, e, f, g between a cubic spline and its Bezier form, with ratios; they follow the curve",
            (_POLYGONS, _MARKER, PIECE), _chain_points, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
     Recipe("marks", "Marks on a Curve", "Marks at equal steps of the parameter, tangents at corners, derivatives at ends; they follow the curve",
            (_MARK_STEPS, _MARKER, _TANGENTS, _ARROW, _DERIVATIVES), _marks, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
