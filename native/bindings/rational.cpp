@@ -6,6 +6,7 @@
 #include "splinecore/curve/casteljau.hpp"
 #include "splinecore/curve/finite_arcs.hpp"
 #include "splinecore/curve/moebius.hpp"
+#include "splinecore/curve/multiply.hpp"
 
 namespace bindings {
 
@@ -48,6 +49,11 @@ void bind_common(Class<Curve>& cls) {
             const double ratio = real(rho, "rho");
             return unlocked([&] { return splinecore::moebius(self, ratio); });
           }, py::arg("rho"));
+  cls.def("multiplied", [](const Curve& self, const py::object& start, const py::object& end) {
+            const double first = real(start, "start");
+            const double last = real(end, "end");
+            return unlocked([&] { return splinecore::multiplied(self, first, last); });
+          }, py::arg("start"), py::arg("end"));
   cls.def("standard_form", [](const Curve& self) { return splinecore::standard_form(self); });
 }
 

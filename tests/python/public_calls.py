@@ -143,6 +143,7 @@ RATIONAL = {
     "reduce": lambda one, at: one.reduce(),
     "finite_arcs": lambda one, at: one.finite_arcs(at.size),
     "moebius": lambda one, at: one.moebius(0.7),
+    "multiplied": lambda one, at: one.multiplied(0.7, 2.0),
     "standard_form": lambda one, at: one.standard_form(),
 }
 NURBS_CURVE = {

@@ -34,6 +34,7 @@ REFUSED = [
     (lambda c: c.remove_knots(INF), "tolerance = inf"),
     (lambda c: c.insert_knot(0.5, 4), "times = 4|multiplicity"), (lambda c: c.refine([1, NAN]), r"knots\[1\] = nan"),
     (lambda c: c.split(-1), "u = -1 is not inside"), (lambda c: c.moebius(NAN), "rho = nan"),
+    (lambda c: c.multiplied(0, 1), "start = 0 is not"), (lambda c: c.multiplied(1, NAN), "end = nan is not"),
     (lambda c: c.moebius(1e-200), "range of numbers"), (lambda c: c.largest_distance(cubic()), "the domains differ"),
     (lambda c: closed_cubic().remove_knot(0), "u = 0 is not a knot that can be removed"),
     (lambda c: closed_cubic().reduce(3), r"times = 3 is outside \[1, 2\]"),

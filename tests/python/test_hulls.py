@@ -182,3 +182,14 @@ def test_what_is_too_much_or_nothing_is_refused():
         with pytest.raises(FAILURES.Refusal, match=said):
             call()
     assert len(drawn([sc.BezierCurve([(1, 1)] * 3)])[0]) == 1
+
+
+def test_hulls_that_meet_in_rounding_alone_have_a_point_in_common():
+    """Neighboring spans of cubics that share one point, which lies on both hulls within rounding."""
+    random = np.random.default_rng(77)
+    for size in (1e-3, 1.0, 1e4):
+        for _ in range(60):
+            one, other = random.uniform(-size, size, (2, 4, 3))
+            other[0] = one[3] + random.uniform(-2, 2, 3) * np.finfo(float).eps * size
+            common = convex.intersection(convex.hull(one), convex.hull(other))
+            assert common is None or len(common.corners) >= 1

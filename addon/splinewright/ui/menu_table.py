@@ -124,9 +124,11 @@ CONSTRUCTION = Menu('construction', "Construction", (
     *_others(SHAPES, 'restore', 'detach', 'apply_transform', 'adopt_transform')), 'LINKED')
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
+PICTURES = Menu('pictures', "Pictures", (
+    *_made(CURVES, ('halving', 'NONE'), ('chain_points', 'NONE'), ('marks', 'NONE'), ('discs', 'NONE'), ('orders', 'NONE'), ('lift', 'NONE'),
+           ('perspective', 'NONE')), *_made(FOLLOWED, ('hulls', 'NONE'), ('influence', 'NONE'))), 'IMAGE_DATA')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVES, ('basis', 'GRAPH'), ('construction', 'NONE'), ('halving', 'NONE'), ('chain_points', 'NONE'), ('marks', 'NONE')),
-    *_made(FOLLOWED, ('hulls', 'NONE')), *_others(SHAPES, 'write_formulas'), _sight('LABELS')), 'HELP')
+    *_made(CURVES, ('basis', 'GRAPH'), ('basis_triangle', 'NONE'), ('construction', 'NONE')), PICTURES, *_others(SHAPES, 'write_formulas'), _sight('LABELS')), 'HELP')
 SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name != 'LABELS'), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (
@@ -159,13 +161,14 @@ NET = Menu('net', "NURBS", (
 DRAW = Menu('draw', "Draw", tuple(Entry(name, ANY, 'GREASEPENCIL') for name in ('draw_curve', 'draw_contour', 'draw_on_surface')),
             'GREASEPENCIL')
 THROUGH = Menu('through_points', "Through Points", (
-    *_from_numbers('SNAP_VERTEX', 'interpolating', 'approximating', 'catmull_rom', 'kochanek_bartels', 'polynomial', 'osculating'), None,
+    *_from_numbers('SNAP_VERTEX', 'interpolating', 'approximating', 'catmull_rom', 'kochanek_bartels', 'polynomial', 'osculating', 'ducks'), None,
     *_others(ANY, 'contour_through_points')), 'SNAP_VERTEX')
 CONICS = Menu('conics', "Conic", (
     *_from_numbers('MESH_CIRCLE', 'ellipse', 'parabola', 'hyperbola'), *_from_numbers('SPHERECURVE', 'arc_by_points'), None,
     *_from_numbers('CURVE_DATA', 'conic', 'foci', 'five_points', 'equation')), 'MESH_CIRCLE')
 FORMULAS = Menu('mathematical', "Mathematical", (
-    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula'), *_from_numbers('GRAPH', 'functions'), *_from_numbers('EMPTY_AXIS', 'axes')), 'FILE_TEXT')
+    *_from_numbers('FORCE_VORTEX', 'helix'), *_from_numbers('FILE_TEXT', 'formula'), *_from_numbers('FILE_TEXT', 'projection'), *_from_numbers('GRAPH', 'functions', 'triangle'),
+    *_from_numbers('EMPTY_AXIS', 'axes')), 'FILE_TEXT')
 ADD_CURVE = Menu('curve_add', "NURBS", (
     Entry('add_line', ANY, 'IPO_LINEAR'), Entry('add_bezier_curve', ANY, 'CURVE_BEZCURVE'),
     Entry('add_bezier_chain', ANY, 'CURVE_PATH'), Entry('add_hermite_curve', ANY, 'CURVE_DATA'),

@@ -1804,6 +1804,39 @@ class NurbsCurve:
         ----------
         Lee and Lucian 1991; lecture row S12.
         """
+    def multiplied(self, start: float, end: float) -> NurbsCurve:
+        """Multiply the homogeneous coordinates by a linear function; the degree grows by one, weights change,
+        the curve stays.
+
+        A periodic curve becomes a plain one.
+
+        Parameters
+        ----------
+        start : float
+            The function at the start of the domain, a number from 1e-100 to 1e100.
+        end : float
+            The function at the end, such a number.
+
+        Returns
+        -------
+        NurbsCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a number is not within these limits, if a weight would leave the range of numbers, and if
+            the degree would exceed 255.
+
+        References
+        ----------
+        Lecture row S9.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (2, 0)]).multiplied(1, 3).weights.tolist()
+        [1.0, 2.0, 3.0]
+        """
     def standard_form(self) -> NurbsCurve:
         """Change the parameter so that the weights of both ends are 1.
 
@@ -3716,6 +3749,39 @@ class BezierCurve:
         References
         ----------
         Lecture row S12.
+        """
+    def multiplied(self, start: float, end: float) -> BezierCurve:
+        """Multiply the homogeneous coordinates by a linear function; the degree grows by one, weights change,
+        the curve stays.
+
+        A periodic curve becomes a plain one.
+
+        Parameters
+        ----------
+        start : float
+            The function at the start of the domain, a number from 1e-100 to 1e100.
+        end : float
+            The function at the end, such a number.
+
+        Returns
+        -------
+        BezierCurve
+            The same curve.
+
+        Raises
+        ------
+        InvalidShape
+            If a number is not within these limits, if a weight would leave the range of numbers, and if
+            the degree would exceed 255.
+
+        References
+        ----------
+        Lecture row S9.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (2, 0)]).multiplied(1, 3).weights.tolist()
+        [1.0, 2.0, 3.0]
         """
     def standard_form(self) -> BezierCurve:
         """Change the parameter so that the weights of both ends are 1.

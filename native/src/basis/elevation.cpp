@@ -128,9 +128,21 @@ struct Scratch {
   std::vector<std::vector<double>> parts;
 };
 
+/// The linear function with two values at the ends of a domain.
+struct Linear {
+  Interval domain;
+  double start;
+  double end;
+
+  double at(double u) const {
+    const double t = (u - domain.start) / (domain.end - domain.start);
+    return t <= 0.5 ? start + t * (end - start) : end - (1.0 - t) * (end - start);
+  }
+};
+
 /// Adds rows to the matrix: the weights of old points, from the lowest that any blossom needs.
-void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, bool periodic, Scratch& scratch,
-             PointMatrix::Rows& rows) {
+void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, bool periodic, const Linear& factor,
+             Scratch& scratch, PointMatrix::Rows& rows) {
   const KnotWindow& window = scratch.window;
   std::vector<std::ptrdiff_t>& firsts = scratch.firsts;
   std::vector<std::vector<double>>& parts = scratch.parts;
@@ -150,7 +162,7 @@ void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, 
   rows.weights.resize(rows.weights.size() + rows.width);
   double* row = rows.weights.data() + rows.weights.size() - rows.width;
   for (std::size_t i = 0; i < firsts.size(); ++i) {
-    const double share = static_cast<double>(window.counts[i]) / (degree + 1);
+    const double share = static_cast<double>(window.counts[i]) / (degree + 1) * factor.at(runs[window.runs[i]].value);
     for (std::size_t r = 0; r < parts[i].size(); ++r) row[firsts[i] - lowest + r] += share * parts[i][r];
   }
   rows.first.push_back(lowest + (periodic ? degree : 0));
@@ -158,7 +170,9 @@ void add_row(const std::vector<KnotRun>& runs, const OldKnots& old, int degree, 
 
 }  // namespace
 
-PointMatrix elevation(const KnotVector& knots) {
+PointMatrix elevation(const KnotVector& knots) { return elevation(knots, 1.0, 1.0); }
+
+PointMatrix elevation(const KnotVector& knots, double start, double end) {
   const int degree = knots.degree();
   if (degree >= kMaxDegree) throw InvalidShape("the degree would exceed " + std::to_string(kMaxDegree));
   const OldKnots old = reachable(knots, 3 * knots.degree() + 3);
@@ -173,11 +187,12 @@ PointMatrix elevation(const KnotVector& knots) {
   PointMatrix::Rows rows{std::ptrdiff_t{2} * degree + 2, {}, {}};
   rows.first.reserve(elevated.count());
   rows.weights.reserve(elevated.count() * rows.width);
+  const Linear factor{knots.domain(), start, end};
   Scratch scratch;
   for (int j = 0; j < elevated.count(); ++j) {
     const std::ptrdiff_t begin = part.begin + j + (periodic ? -degree : 1);
     find_window(copies, begin, degree + 1, scratch.window);
-    add_row(runs, old, degree, periodic, scratch, rows);
+    add_row(runs, old, degree, periodic, factor, scratch, rows);
   }
   return {knots, std::move(elevated), std::move(rows)};
 }

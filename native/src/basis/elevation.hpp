@@ -17,6 +17,10 @@ namespace splinecore {
 /// @throws InvalidShape if the degree would exceed kMaxDegree.
 PointMatrix elevation(const KnotVector& knots);
 
+/// elevation(), and the functions times the linear function that is `start` at the start of the domain and `end` at its end:
+/// the blossom of a product is the mean of the products of blossoms. Weights may be any numbers.
+PointMatrix elevation(const KnotVector& knots, double start, double end);
+
 /// What elevation() makes of points on a plain vector, so many times, without its matrices.
 struct ElevatedPoints {
   KnotVector knots;

@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+import bpy
 import numpy as np
 
 from ..data import store
@@ -133,6 +134,6 @@ def _remembered(data):
 
 
 def thicken(data, radius):
-    """Let a new Curve be a tube of a radius; 0: leave it a line."""
-    if radius:
+    """Let a new Curve be a tube of a radius; 0: leave it a line. A Mesh stays as it is."""
+    if radius and isinstance(data, bpy.types.Curve):
         data.bevel_depth, data.bevel_resolution = radius, 1

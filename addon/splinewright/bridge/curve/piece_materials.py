@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core.formulas import axes, functions, signs
+from ...core.formulas import axes, functions, influence, signs
 from ..data import store
 
 #: The names by which splines were given their slots last, on the Curve.
@@ -13,6 +13,8 @@ _COLORS = ((0.0, 0.45, 0.70), (0.84, 0.37, 0.0), (0.0, 0.62, 0.45), (0.80, 0.47,
 _AXES, _SUM, _GRID = (0.55, 0.55, 0.55), (0.9, 0.9, 0.9), (0.3, 0.3, 0.3)
 #: Slots before those of functions.
 _FIRST = ("Splinewright Axes", _AXES), ("Splinewright Sum", _SUM), ("Splinewright Grid", _GRID)
+#: What has a color of its own, in whatever slot.
+_INFLUENCE = "Splinewright Influence", (0.9, 0.05, 0.05)
 #: The slots of what is no function.
 _OTHERS = {functions.AXIS: 0, functions.TICK: 0, functions.SUM: 1, axes.GRID: 2}
 
@@ -27,8 +29,9 @@ def show(data, names):
         return
     store.assign(data, KEY, text)
     slots = slots_of(names)
+    kinds = dict(zip(slots, map(_kind, names)))
     for slot in range(len(data.materials), max(slots) + 1):
-        data.materials.append(_material(*_wanted(slot)))
+        data.materials.append(_material(*_wanted(slot, kinds.get(slot))))
     for spline, slot in zip(data.splines, slots):
         spline.material_index = slot
 
@@ -53,7 +56,15 @@ def colors_of(data):
     return {name: (*map(_srgb, material.diffuse_color[:3]), 1.0) for name, material in materials.items() if material}
 
 
-def _wanted(slot):
+def show_faces(data, names):
+    """Give a Mesh that is a picture its material, where it has none."""
+    if any(names) and not data.materials:
+        data.materials.append(_material(*_INFLUENCE))
+
+
+def _wanted(slot, kind):
+    if kind == influence.INFLUENCE:
+        return _INFLUENCE
     if slot < len(_FIRST):
         return _FIRST[slot]
     number = (slot - len(_FIRST)) % len(_COLORS)

@@ -222,8 +222,10 @@ def evaluated(data, definition, around=None, faces=None, has_faces=False):
     _single(positions)
     sharp = tessellation.sharp_edges(normals, settings.of(data).sharp_angle)
     is_there = is_known and has_faces
+    names = [piece.name for piece in definition.pieces]
 
     def write():
+        piece_materials.show_faces(data, names)
         if write_mesh.write(data, tessellation, positions, normals, sharp, is_there):
             return stamp.of_faces(data, tessellation, positions)
     return Picture(positions, write, tessellation)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..formulas import functions, signs
+from ..formulas import functions, orders, signs
 from ..shape import definition as definitions
 from ..shape import parameters
 from ..verbs import verbs
@@ -27,7 +27,7 @@ class Label(NamedTuple):
 
 def of(definition):
     """The Labels of a definition; where there are too many one that says so."""
-    is_picture = any(piece.name for piece in definition.pieces)
+    is_picture = definition.has_curves and any(piece.name for piece in definition.pieces)
     found = _of_picture(definition) if is_picture else [*_of_points(definition), *_of_knots(definition)]
     return found if len(found) <= MOST else [Label("", "", f"{len(found):,} names: too many to write", found[0].point)]
 
@@ -75,6 +75,8 @@ def _of_picture(definition):
             found.append(Label("", "", rest, tuple(curve.points[0].tolist()), piece.name))
         elif kind in (signs.MARK, signs.ARROW):
             found.append(Label(*signs.named(piece.name), tuple(signs.place_of(piece.name, curve.points).tolist()), piece.name))
+        elif kind == orders.ORDER:
+            found.append(Label("", "", rest, _below(curve), piece.name))
         elif kind == "level":
             found += _of_level(piece.name, int(rest), curve.points)
         elif piece.name.endswith("}") and piece.name not in named:
@@ -88,6 +90,12 @@ def _of_level(part, level, points):
     """P_i, M_{01}, M_{012}: by the control points that they come from."""
     name = "P" if level == 0 else "M"
     return [Label(name, "".join(map(str, range(i, i + level + 1))), "", tuple(point.tolist()), part) for i, point in enumerate(points)]
+
+
+def _below(curve):
+    """Under the first of its points that is a place."""
+    places = curve.points[curve.weights != 0.0]
+    return float(places[:, 0].min()), float(places[:, 1].min()), float(places[0, 2])
 
 
 def _farthest(curve):

@@ -34,7 +34,7 @@ def _parts(curve, position):
         return [*parts, [f"Formulas are written up to degree {MOST_DEGREE}: this is degree {curve.degree}"]]
     count = len(curve.points)
     return [*parts, _power(curve, of_curve, rows), _conic(curve.to_nurbs()), spline.matrix_lines(of_curve, of_curve.letter, _names(count)),
-            triangles.basis_lines(of_curve, u, of_curve.letter), triangles.de_boor_lines(of_curve, rows, u, count, allowed),
+            triangles.scheme_lines(of_curve), triangles.basis_lines(of_curve, u, of_curve.letter), triangles.de_boor_lines(of_curve, rows, u, count, allowed),
             triangles.casteljau_lines(of_curve, rows, u, allowed)]
 
 

@@ -4,6 +4,30 @@ from ..base.library import sc
 from . import exact, teaching, written
 
 
+#: Most lines of a scheme, and columns of degrees.
+MOST_LINES, MOST_COLUMNS = 63, 9
+
+
+def scheme_lines(spline):
+    """All functions, each of the two to its left that are one line away. Functions that are zero everywhere are written as 0."""
+    if spline.kind == 'Hermite':
+        return []
+    spans = len(spline.knots) - 1
+    if 2 * spans - 1 > MOST_LINES or spline.degree > MOST_COLUMNS:
+        return [f"The triangle of functions is written up to {(MOST_LINES + 1) // 2} spans and degree {MOST_COLUMNS}: "
+                f"these are {spans} of degree {spline.degree}"]
+    columns = [[written.interval(*each, spline.allowed) for each in zip(spline.knots, spline.knots[1:])]]
+    for degree in range(spline.degree + 1):
+        ends = zip(spline.knots, spline.knots[degree + 1:])
+        columns.append([f"N{i},{degree}" if start < end else "0" for i, (start, end) in enumerate(ends)])
+    lines = [""] * (2 * spans - 1)
+    for number, column in enumerate(columns):
+        width = max(map(len, column)) + 2
+        at = {2 * i + max(number - 1, 0): text for i, text in enumerate(column)}
+        lines = [line + at.get(i, "").ljust(width) for i, line in enumerate(lines)]
+    return ["Triangle of functions, each made of the two to its left, above and below it:", *("  " + line.rstrip() for line in lines)]
+
+
 def basis_lines(spline, u, letter):
     """Which functions feed which, and with what coefficients."""
     if spline.kind == 'Hermite':

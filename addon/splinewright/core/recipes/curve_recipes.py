@@ -8,7 +8,7 @@ from ..base.library import sc
 from .recipe import Parameter, Recipe, Result
 
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the curve may lie from the formulas", 1e-6, 1e-12, unit='LENGTH')
-_PARAMETERS = Parameter("parametrisation", "Spacing", "How the parameters of the points are spaced", "centripetal", choices=(
+SPACING = Parameter("parametrisation", "Spacing", "How the parameters of the points are spaced", "centripetal", choices=(
     ("uniform", "Uniform", "One apart"),
     ("centripetal", "Centripetal", "By the square roots of the distances: no loops where points crowd"),
     ("chordal", "Chordal", "By the distances")))
@@ -21,8 +21,19 @@ _DEGREE = Parameter("degree", "Degree", "Of the pieces between knots; of few poi
 _KNOTS = Parameter("knots", "Knots", "Where an open curve has its knots", "averaged", choices=(
     ("averaged", "Averaged", "Averages of the points' parameters: safe with any spacing"),
     ("not_a_knot", "Not a Knot", "At the points, but for those next to the ends"),
-    ("natural", "Natural", "At the points; straight at both ends: odd degrees")), where=("closed", (False,)))
-_WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
+    ("natural", "Natural", "At the points; straight at both ends: odd degrees"),
+    ("typed", "Typed", "As they are typed")), where=("closed", (False,)))
+_KNOT_VALUES = Parameter("knot_values", "Knot Values", "All knots, between spaces, from 0 to 1: as many as points and derivatives, and degree + 1 more", "", where=("knots", ("typed",)))
+_START_AT = Parameter("start_derivative", "Derivative at Start", "x y z of an open curve, by parameters from 0 to 1; none where it is empty", "",
+                      where=("closed", (False,)))
+_END_AT = Parameter("end_derivative", "Derivative at End", "x y z of an open curve, by parameters from 0 to 1; none where it is empty", "",
+                    where=("closed", (False,)))
+WAVE = ((-1, 0, 0), (-0.5, 0.5, 0), (0, -0.3, 0), (0.5, 0.5, 0), (1, 0, 0))
+_FORMULAS = (
+    Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
+    Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
+    Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi),
+    Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""))
 
 
 #: Points, each followed by the heads of its derivatives.
@@ -42,10 +53,37 @@ def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed
 _MOST_MISSED = 1e-3
 
 
-def _interpolating(points, degree, parametrisation, knots, closed):
-    most = len(points) if closed else degree if knots == 'natural' else len(points) - 1
-    curve, missed = sc.fit.interpolate(points, min(degree, most), parametrisation, ends=knots, closed=closed)
+def _interpolating(points, degree, parametrisation, knots, closed, knot_values="", start_derivative="", end_derivative=""):
+    given = {} if closed else {'start': _vector(start_derivative, "start"), 'end': _vector(end_derivative, "end")}
+    given = {name: vector for name, vector in given.items() if vector is not None}
+    most = len(points) if closed else degree if knots == 'natural' else len(points) + len(given) - 1
+    degree, parameters = min(degree, most), parametrisation
+    if given or knots == 'typed' and not closed:
+        parameters = _spacing(points, parametrisation)
+    if knots == 'typed' and not closed:
+        curve, missed = sc.fit.interpolate(points, degree, parameters, numbers_of(knot_values), **given)
+    else:
+        curve, missed = sc.fit.interpolate(points, degree, parameters, ends='averaged' if knots == 'typed' else knots, closed=closed, **given)
     return Result(curve, _if_seen(missed, points))
+
+
+def _vector(text, where):
+    """(3,) of a text; None of an empty one."""
+    numbers = numbers_of(text)
+    if numbers and len(numbers) != 3:
+        raise Refusal(f"the derivative at the {where} has {len(numbers)} numbers: it takes 3")
+    return np.array(numbers) if numbers else None
+
+
+def numbers_of(text):
+    """The numbers in a text, between spaces or commas. Raises Refusal."""
+    found = []
+    for word in text.replace(",", " ").split():
+        try:
+            found.append(float(word))
+        except ValueError:
+            raise Refusal(f"\"{word}\" is not a number: write numbers between spaces") from None
+    return found
 
 
 #: So often parameters are moved towards the nearest points.
@@ -115,6 +153,19 @@ def _formula(points, x, y, z, start, end, constants, tolerance):
     return Result(*sc.build.curve_from_formulas(formulas, (start, end), tolerance=tolerance))
 
 
+def _projection(points, x, y, z, start, end, constants, degree, spans, fixed_ends, cancel=None):
+    known = constants_of(constants)
+    if not start < end:
+        raise Refusal("the last t is not above the first")
+    formulas = [formula_of(name, text, ("t",), known) for name, text in (("x", x), ("y", y), ("z", z))]
+    knots = np.concatenate([np.repeat(start, degree), np.linspace(start, end, spans + 1), np.repeat(end, degree)])
+
+    def function(t):
+        return np.column_stack([np.broadcast_to(formula.evaluate(t), t.shape) for formula in formulas])
+    curve, error = sc.fit.project(function, knots, degree, fixed_ends=fixed_ends, cancel=cancel)
+    return Result(curve, error)
+
+
 def formula_of(name, text, variables, constants):
     """A Formula. Raises Refusal that begins with the name, such as x(t)."""
     try:
@@ -154,12 +205,12 @@ def constants_of(text):
 
 THROUGH_OBJECTS = Recipe(
     "through_objects", "Curve Through Objects", "An interpolating spline through the origins of objects; it follows them",
-    (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, resolution=24, has_places=True)
+    (_DEGREE, SPACING, _KNOTS, _KNOT_VALUES, _START_AT, _END_AT, _CLOSED), _interpolating, resolution=24, has_places=True)
 
 RECIPES = (
     Recipe("interpolating", "Interpolating Spline",
            "The B-spline curve of a degree through points, smooth as that degree allows: uniform, chordal or centripetal",
-           (_DEGREE, _PARAMETERS, _KNOTS, _CLOSED), _interpolating, _WAVE, True, 24),
+           (_DEGREE, SPACING, _KNOTS, _KNOT_VALUES, _START_AT, _END_AT, _CLOSED), _interpolating, WAVE, True, 24),
     THROUGH_OBJECTS,
     Recipe("approximating", "Approximating Spline",
            "A clean B-spline near many points, by least squares: within a tolerance, or with a number of control points",
@@ -169,16 +220,16 @@ RECIPES = (
             Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH',
                       where=("by", ("tolerance",))),
             Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000, where=("by", ("count",))),
-            _DEGREE, _PARAMETERS, _CLOSED), _approximating, _WAVE, True, 24, takes_cancel=True),
+            _DEGREE, SPACING, _CLOSED), _approximating, WAVE, True, 24, takes_cancel=True),
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbors",
-           (_PARAMETERS, _TENSION, _CLOSED, _ENDS), _catmull_rom, _WAVE, True, 16),
+           (SPACING, _TENSION, _CLOSED, _ENDS), _catmull_rom, WAVE, True, 16),
     Recipe("kochanek_bartels", "Kochanek-Bartels Spline", "A Catmull-Rom spline with tension, continuity and bias",
            (_TENSION, Parameter("continuity", "Continuity", "Below and above 0: corners inwards, outwards", 0.0, -5.0, 5.0),
             Parameter("bias", "Bias", "Above 0 overshoots before, below 0 after a point", 0.0, -5.0, 5.0),
-            _PARAMETERS, _CLOSED, _ENDS), _kochanek_bartels, _WAVE, True, 16),
+            SPACING, _CLOSED, _ENDS), _kochanek_bartels, WAVE, True, 16),
     Recipe("polynomial", "Polynomial Through Points", "The one polynomial of lowest degree through points: see how it oscillates",
-           (_PARAMETERS, Parameter("spline", "Compare with Spline", "A Catmull-Rom spline through the same points, too", False)),
-           _polynomial, _WAVE, True, 64),
+           (SPACING, Parameter("spline", "Compare with Spline", "A Catmull-Rom spline through the same points, too", False)),
+           _polynomial, WAVE, True, 64),
     Recipe("osculating", "Osculating Polynomial",
            "The polynomial of lowest degree with given points and derivatives: each point is followed by the heads of its derivatives",
            (Parameter("derivatives", "Derivatives", "How many are given at each point, equal parameters apart in [0, 1]",
@@ -191,9 +242,9 @@ RECIPES = (
             Parameter("height", "Height", "From start to end", 2.0, unit='LENGTH'),
             Parameter("turns", "Turns", "How often around; below 0 the other way", 3.0, -1000.0, 1000.0), _TOLERANCE), _helix, resolution=8),
     Recipe("formula", "Curve from Formula", "A curve from formulas in t: exact for polynomials, otherwise within a tolerance",
-           (Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
-            Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
-            Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi),
-            Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""), _TOLERANCE), _formula,
-           resolution=8),
+           (*_FORMULAS, _TOLERANCE), _formula, resolution=8),
+    Recipe("projection", "Orthogonal Projection of Formula",
+           "The spline on equal knots that is nearest to formulas in the mean square",
+           (*_FORMULAS, Parameter("degree", "Degree", "Of the spline", 3, 1, 9), Parameter("spans", "Spans", "Between equal knots", 8, 1, 500),
+            Parameter("fixed_ends", "Fixed Ends", "Begin and end where the formulas do", False)), _projection, resolution=24, takes_cancel=True),
 )

@@ -1,10 +1,15 @@
-"""Pictures of lectures of a curve or surface: halved polygons, hulls, points of C2 chains, marks and arrows."""
+"""Pictures of lectures of a curve or surface: halved polygons, hulls, points of C2 chains, marks and arrows, discs, orders, influence."""
 
+from dataclasses import replace
+
+from ..base.failures import Refusal
 from ..base.library import sc
-from ..formulas import chain_points, halving, hulls, marks, teaching
+from ..formulas import chain_points, discs, ducks, halving, hulls, influence, marks, orders, teaching
+from ..shape import definition as definitions
 from ..verbs import verbs
 from . import wanted
-from .recipe import Parameter, Recipe
+from .curve_recipes import SPACING, WAVE
+from .recipe import Parameter, Recipe, Result
 from .teaching_recipes import PIECE, of_parts
 
 _MARKER = Parameter("marker", "Marker", "Radius of the marks; 0 for none", 0.03, 0.0, unit='LENGTH')
@@ -22,6 +27,7 @@ _POLYGONS = Parameter("polygons", "Polygons", "Which polygons are drawn", "both"
 _MARK_STEPS = Parameter("steps", "Steps", "Equal steps of the parameter, with a mark at each end; 0 for none", 8, 0, 200)
 _TANGENTS = Parameter("tangents", "Tangents at Corners", "Both tangents at each corner, as arrows", True)
 _ARROW = Parameter("arrow", "Tangent Length", "Of the arrows at corners", 0.5, 1e-3, unit='LENGTH', where=("tangents", (True,)))
+_POSITION = Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0)
 _DERIVATIVES = Parameter("derivatives", "Derivatives at Ends", "As arrows in their true length; of a Hermite chain at every node", False)
 
 
@@ -56,6 +62,37 @@ def _marks(inputs, steps, marker, tangents, arrow, derivatives):
     return of_parts(marks.steps(curves, steps, marker) + (marks.tangents(curves, arrow) if tangents else []) + arrows, said=zero)
 
 
+def _discs(inputs, piece, position, radius):
+    curve = teaching.curve_of(inputs[0], piece)
+    parts, warning = discs.picture(curve.to_nurbs(), position, radius, "B" if isinstance(curve, sc.BezierCurve) else "N")
+    if not parts:
+        raise Refusal(warning)
+    return of_parts(parts, warning=warning)
+
+
+def _orders(inputs, piece, wanted_orders, columns, polygons):
+    curve = teaching.curve_of(inputs[0], piece).to_nurbs()
+    found = orders.typed(wanted_orders, len(curve.points)) or orders.all_of(curve)
+    return of_parts(orders.picture(curve, found, columns, polygons), f"{len(found)} order{'s' if len(found) > 1 else ''}")
+
+
+def _influence(inputs, piece, index, index_v, marker, above):
+    if inputs[0].has_curves:
+        moved, measure = influence.of_curves(inputs[0], piece, index, marker), "length"
+    else:
+        moved, measure = influence.of_patches(inputs[0], piece, (index, index_v), above), "area"
+    said = "" if moved.share is None else f"it moves {100.0 * moved.share:.3g} % of the {measure}"
+    if inputs[0].has_curves:
+        return of_parts(moved.parts, said)
+    patches = sc.PatchSet.from_patches([part.curve for part in moved.parts], merge=False)
+    return Result(definitions.named(definitions.from_value(patches), [part.name for part in moved.parts]), said=said)
+
+
+def _ducks(points, spacing, marker, ends):
+    parts, energy = ducks.picture(points, spacing, marker, ends)
+    return of_parts(parts, f"bending energy {energy:.4g}")
+
+
 RECIPES = (
     Recipe("halving", "Halved Polygons", "The control polygons divided again and again by de Casteljau, step by step; they follow the curve",
            (_STEPS, _RATIO, _DISTANCE), _halving, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
@@ -66,4 +103,21 @@ RECIPES = (
            (_POLYGONS, _MARKER, PIECE), _chain_points, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
     Recipe("marks", "Marks on a Curve", "Marks at equal steps of the parameter, tangents at corners, derivatives at ends; they follow the curve",
            (_MARK_STEPS, _MARKER, _TANGENTS, _ARROW, _DERIVATIVES), _marks, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
+    Recipe("discs", "Discs of a Point",
+           "A circle around each control point with the value of its function as area, with weights; they follow the curve",
+           (_POSITION, Parameter("radius", "Radius", "Of the circle for the value 1", 0.5, 1e-6, unit='LENGTH'), PIECE), _discs, thickness=0.004,
+           inputs=(wanted.ONE_CURVE,)),
+    Recipe("orders", "Orders of Points", "The curves that the same control points make in other orders; they follow the points",
+           (Parameter("wanted_orders", "Orders", "Orders of the points, counted from 0, between commas: 0 2 1 3, 1 0 2 3; empty for all", ""),
+            Parameter("columns", "Columns", "How many curves are beside each other; 0 draws them over each other", 4, 0, 120),
+            Parameter("polygons", "Polygons", "The control polygon of each", True), PIECE), _orders, thickness=0.004,
+           inputs=(wanted.ONE_CURVE,)),
+    Recipe("influence", "Influence of a Point", "The part of a curve or surface that a control point moves, and its share; it follows the shape",
+           (Parameter("index", "Point", "Of the control point, counted from 0; of patches along u", 1, 0, 100_000),
+            Parameter("index_v", "Point Along V", "Of the control point of a patch, counted from 0", 1, 0, 100_000),
+            _MARKER, Parameter("above", "Distance", "Parts of a surface are drawn so far from it, on both sides", 0.005, 0.0, unit='LENGTH'),
+            PIECE), _influence, thickness=0.02, inputs=(wanted.CURVE_OR_SURFACE,)),
+    Recipe("ducks", "Spline with Ducks", "A strip held at points by weights, as draughtsmen have it: the natural spline, and its bending energy",
+           (replace(SPACING, name="spacing"), _MARKER, Parameter("ends", "Ends", "How far the strip reaches beyond the outer points, where it is straight", 0.3, 0.0,
+                                        unit='LENGTH')), _ducks, WAVE, True, 24, thickness=0.01),
 )

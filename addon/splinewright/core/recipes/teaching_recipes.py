@@ -1,9 +1,12 @@
 """Pictures of lectures: graphs of basis functions, and how a point of a curve is found."""
 
+from dataclasses import replace
+
 from ..base.failures import Refusal
-from ..formulas import axes, functions, teaching
+from ..formulas import axes, functions, teaching, triangle_picture
 from ..shape import definition as definitions
 from . import wanted
+from .curve_recipes import numbers_of
 from .recipe import Parameter, Recipe, Result
 
 PIECE = Parameter("piece", "Piece", "Which curve of the object, counted from 1", 1, 1)
@@ -28,7 +31,7 @@ _AXES = Parameter("axes", "Axes", "Axes with a tick at every knot", True, before
 
 
 def _functions(points, family, degree, knot_values, show, width, height, axes):
-    return _picture(_family(family, degree, _numbers(knot_values)), show, width, height, axes)
+    return _picture(_family(family, degree, numbers_of(knot_values)), show, width, height, axes)
 
 
 def _basis(inputs, piece, show, width, height, axes):
@@ -41,16 +44,6 @@ def _family(name, degree, knots):
     if name == 'bernstein':
         return functions.bernstein(degree)
     return getattr(functions, name)(knots)
-
-
-def _numbers(text):
-    found = []
-    for word in text.replace(",", " ").split():
-        try:
-            found.append(float(word))
-        except ValueError:
-            raise Refusal(f"\"{word}\" is not a number: knots are numbers between spaces") from None
-    return found
 
 
 def _picture(family, show, width, height, axes):
@@ -77,12 +70,55 @@ def _axes(points, spatial, grid, tick, step, **limits):
     return of_parts(axes.picture(ranges, [step] * len(names), tick, grid))
 
 
+def _triangle(points, degree, knot_values, **shown):
+    return _scheme(degree, numbers_of(knot_values), **shown)
+
+
+def _basis_triangle(inputs, piece, **shown):
+    curve = teaching.curve_of(inputs[0], piece).to_nurbs().unrolled()
+    return _scheme(curve.degree, curve.knots, **shown)
+
+
+def _scheme(degree, knots, chosen, feeding, spans, across, down, marker):
+    of = triangle_picture.scheme(degree, knots, across, down)
+    return of_parts(triangle_picture.picture(of, _pairs(chosen), feeding == 'support', _whole(spans.split()), marker))
+
+
+def _pairs(text):
+    """[(i, degree)] of a text such as "1,3 2,3"."""
+    found = [_whole(word.split(",")) for word in text.split()]
+    for word, pair in zip(text.split(), found):
+        if len(pair) != 2:
+            raise Refusal(f"\"{word}\" is not a function: write number,degree, such as 1,3")
+    return [tuple(pair) for pair in found]
+
+
+def _whole(words):
+    for word in words:
+        if not word.isdigit():
+            raise Refusal(f"\"{word}\" is not a whole number from 0")
+    return [int(word) for word in words]
+
+
 def _limit(name, is_start):
     return Parameter(f"{name}_{'from' if is_start else 'to'}", f"{name.upper()} {'From' if is_start else 'To'}",
                      f"Where the axis of {name} {'begins' if is_start else 'ends'}", -1.0 if is_start else 3.0, unit='LENGTH',
                      where=("spatial", (True,)) if name == "z" else ())
 
 
+_SCHEME_OF = (
+    Parameter("chosen", "Functions", "Numbers and degrees of functions that are pointed out: 1,3 is N_1,3; several between spaces", ""),
+    Parameter("feeding", "Show", "What they are shown with", "parents", choices=(
+        ("parents", "Parents", "The two that each is made of, with the coefficients of Cox and de Boor"),
+        ("support", "Support", "All that it depends on, back to the spans"))),
+    Parameter("spans", "Spans", "Numbers of spans, between spaces: the functions that are not zero there", ""),
+    Parameter("across", "Column Width", "From one degree to the next", 1.0, 1e-3, unit='LENGTH'),
+    Parameter("down", "Row Height", "From one function to the next", 0.6, 1e-3, unit='LENGTH'),
+    Parameter("marker", "Marker", "Radius of the marks", 0.03, 1e-6, unit='LENGTH'))
+TRIANGLE = Recipe(
+    "triangle", "Triangle of Functions on Knots", "The scheme of Cox and de Boor: each B-spline function and the two that it is made of",
+    (replace(_DEGREE, description="Of the highest functions", where=()), replace(_KNOTS, where=()), *_SCHEME_OF), _triangle, resolution=1,
+    thickness=0.004)
 AXES = Recipe(
     "axes", "Axes", "Axes with a tick at every step, and a grid, to be drawn beside curves and to render",
     (*(_limit(name, is_start) for name in "xyz" for is_start in (True, False)),
@@ -103,5 +139,7 @@ RECIPES = (
             PIECE, Parameter("first_level", "First Level", "Of the polygons that are drawn; 0 are the control points", 0, 0, 255),
             Parameter("last_level", "Last Level", "Of the polygons that are drawn; the highest one is the point", 255, 0, 255)),
            _construction, thickness=0.004, inputs=(wanted.ONE_CURVE,)),
-    FUNCTIONS, AXES,
+    Recipe("basis_triangle", "Triangle of Functions", "The scheme of Cox and de Boor on the knots of a curve; it follows them",
+           (*_SCHEME_OF, PIECE), _basis_triangle, resolution=1, thickness=0.004, inputs=(wanted.ONE_CURVE,), is_beside=True),
+    FUNCTIONS, AXES, TRIANGLE,
 )

@@ -1,0 +1,161 @@
+"""The triangular scheme of basis functions (S14): spans, functions of degree 0, 1, … beside each other, each fed by the two to its left.
+
+A chosen function shows the two that feed it with both coefficients of Cox and de Boor, or all that it depends on; a chosen span
+all functions that are not zero there.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..base.failures import Refusal
+from . import functions, signs
+from .functions import TICK, Part
+
+LINK, PARENTS, SUPPORT, WEDGE = "link", "parents", "support", "wedge"
+#: Most functions of a picture.
+MOST = 150
+#: The parts of the way between two functions that their arrow leaves free.
+_FREE = 0.22
+#: How far the border of a wedge lies around it, as a part of the distance of functions.
+_AROUND = 0.35
+
+
+class Scheme(NamedTuple):
+    """Functions of a degree and lower ones on knots, and where they stand."""
+
+    degree: int
+    knots: np.ndarray
+    across: float
+    down: float
+
+    def count(self, degree):
+        return len(self.knots) - degree - 1
+
+    def is_zero(self, i, degree):
+        return self.knots[i] == self.knots[i + degree + 1]
+
+    def place(self, i, degree):
+        return np.array([degree * self.across, -(i + degree / 2.0) * self.down, 0.0])
+
+    def has(self, i, degree):
+        return 0 <= degree <= self.degree and 0 <= i < self.count(degree)
+
+
+def scheme(degree, knots, across, down):
+    """The Scheme. Raises Refusal for knots that have none."""
+    functions.of_knots(degree, knots)
+    made = Scheme(degree, np.asarray(knots, dtype=np.float64), across, down)
+    number = sum(made.count(level) for level in range(degree + 1))
+    if number > MOST:
+        raise Refusal(f"these are {number} functions with those of lower degrees: {MOST} are the most")
+    return made
+
+
+def picture(of, chosen, is_support, spans, marker):
+    """The Parts of a Scheme. chosen: functions (i, degree); is_support: whether all that they depend on is shown, not their two parents
+    with coefficients; spans: numbers of spans. Raises Refusal for one that is not there."""
+    for i, degree in chosen:
+        if not of.has(i, degree):
+            raise Refusal(f"there is no function N_{i},{degree}: the highest are N_0,{of.degree} to N_{of.count(of.degree) - 1},{of.degree}")
+    for span in spans:
+        if not of.has(span, 0):
+            raise Refusal(f"there is no span {span}: they are 0 to {of.count(0) - 1}")
+    names, texts = {}, []
+    for i, degree in chosen:
+        if is_support:
+            _name(names, _support(of, i, degree), f"{SUPPORT} {i},{degree}")
+        else:
+            _name(names, _feeding(of, i, degree), f"{PARENTS} {i},{degree}")
+            texts += _coefficients(of, i, degree, marker)
+    for span in spans:
+        _name(names, _wedge(of, span), f"{WEDGE} {span}")
+    links = [(link, names.get(link, LINK)) for link in _links(of)]
+    return _functions(of, marker) + [_arrow(of, link, name) for link, name in links] + texts + [_border(of, span) for span in spans]
+
+
+def _name(names, links, name):
+    for link in links:
+        names.setdefault(link, name)
+
+
+def _links(of):
+    """[((i, degree), (i, degree))]: from each function that is not zero to those that it feeds."""
+    return [(below, (i, degree)) for degree in range(1, of.degree + 1) for i in range(of.count(degree))
+            for below, _ in _feeding(of, i, degree)]
+
+
+def _feeding(of, i, degree):
+    return [((j, degree - 1), (i, degree)) for j in (i, i + 1) if degree > 0 and not of.is_zero(j, degree - 1)]
+
+
+def _support(of, i, degree):
+    return [link for level in range(degree, 0, -1) for j in range(i, i + degree - level + 1) for link in _feeding(of, j, level)]
+
+
+def _on_span(of, span):
+    """{(i, degree)}: all functions that are not zero on a span."""
+    if of.is_zero(span, 0):
+        return set()
+    return {(i, degree) for degree in range(of.degree + 1) for i in range(span - degree, span + 1) if of.has(i, degree)}
+
+
+def _wedge(of, span):
+    on = _on_span(of, span)
+    return [(below, above) for below, above in _links(of) if below in on and above in on]
+
+
+def _functions(of, marker):
+    shown = []
+    for i in range(of.count(0)):
+        place = of.place(i, 0) - (0.8 * of.across, 0.0, 0.0)
+        text = f"[{of.knots[i]:.6g}, {of.knots[i + 1]:.6g})"
+        shown.append(Part(f"{TICK} {text}", functions.line(tuple(place - (marker, 0, 0)), tuple(place + (marker, 0, 0)))))
+    for degree in range(of.degree + 1):
+        for i in range(of.count(degree)):
+            zero = " = 0" if of.is_zero(i, degree) else ""
+            shown += signs.cross(f"N_{{{i},{degree}}}{zero}", of.place(i, degree), marker)
+    return shown
+
+
+def _arrow(of, link, name):
+    start, end = (of.place(*each) for each in link)
+    arrow, = signs.arrow("", start + _FREE * (end - start), (1.0 - 2.0 * _FREE) * (end - start))
+    return Part(name, arrow.curve)
+
+
+def _coefficients(of, i, degree, marker):
+    if degree == 0:
+        return []
+    u, middle = of.knots, of.place(i, degree)
+    texts = (_ahead(u[i], u[i + degree] - u[i]), _behind(u[i + degree + 1], u[i + degree + 1] - u[i + 1]))
+    places = ((of.place(j, degree - 1) + middle) / 2.0 for j in (i, i + 1))
+    return [part for text, place in zip(texts, places) for part in signs.cross(text, place, marker / 2.0)]
+
+
+def _ahead(first, width):
+    """(u - first) / width, as a text without spaces; 0 where that is 0/0."""
+    if width == 0.0:
+        return "0"
+    text = "u" if first == 0.0 else f"u{-first:+.6g}"
+    return text if width == 1.0 else f"{text if first == 0.0 else f'({text})'}/{width:.6g}"
+
+
+def _behind(last, width):
+    """(last - u) / width."""
+    if width == 0.0:
+        return "0"
+    text = "-u" if last == 0.0 else f"{last:.6g}-u"
+    return text if width == 1.0 else f"{text if last == 0.0 else f'({text})'}/{width:.6g}"
+
+
+def _border(of, span):
+    """Around the span and its functions."""
+    on = _on_span(of, span) or {(span, 0)}
+    rows = [sorted(i for i, level in on if level == degree) for degree in range(max(level for _, level in on) + 1)]
+    away, before = np.array([0.0, _AROUND * of.down, 0.0]), np.array([of.across, 0.0, 0.0])
+    upper = [of.place(span, 0) - before + away, *(of.place(row[0], degree) + away for degree, row in enumerate(rows))]
+    lower = [of.place(span, 0) - before - away, *(of.place(row[-1], degree) - away for degree, row in enumerate(rows))]
+    end = _AROUND * before
+    corners = [*upper, upper[-1] + end, lower[-1] + end, *lower[::-1], upper[0]]
+    return Part(f"{WEDGE} {span}", signs.polyline(np.array(corners)))
