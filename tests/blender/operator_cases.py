@@ -214,6 +214,8 @@ BECAUSE = {
     'project_points': "makes meshes of points", 'radius_here': "changes the radius, which lies along a curve",
     'tilt_here': "changes the tilt, which lies along a curve", 'bake_animation': "leaves keys, and no shape",
     'unbake': "brings back the shapes of before",
-    **dict.fromkeys(('start_lesson', 'lesson_step', 'show_solution'), "makes the shapes of lessons, which recipes make"),
-    'check_answer': "says whether an answer is right", 'leave_lesson': "removes a scene, or keeps it",
+    **dict.fromkeys(('start_lesson', 'start_lesson_file', 'lesson_step', 'show_solution'), "makes the shapes of lessons, which recipes make"),
+    'check_answer': "says whether an answer is right", 'leave_lesson': "removes a scene, or keeps it", 'pick_answer': "opens a net",
+    'show_lesson_folder': "opens a folder", 'collect_answers': "reads other files", 'check_lesson': "works in a scene that it removes",
+    **dict.fromkeys(('new_lesson', 'add_lesson_step', 'ask_question', 'export_lesson'), "write what a lesson says"),
 }

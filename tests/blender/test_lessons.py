@@ -57,6 +57,13 @@ def test_every_step_is_made_and_every_question_has_its_answer(lesson):
         step('NEXT')
 
 
+def test_a_teacher_would_be_told_of_nothing_wrong(lesson):
+    known = {name.identifier for name in bpy.context.scene.splinewright_sights.bl_rna.properties if name.type == 'BOOLEAN'}
+    before = scene_state()
+    assert part('bridge.lessons.trial').faults(lesson, bpy.context.scene, known) == []
+    assert scene_state() == before and len(bpy.data.scenes) == 1
+
+
 def test_back_and_reset_give_a_step_as_it_begins(lesson):
     scene = started(lesson)
     begun = [definitions(scene)]

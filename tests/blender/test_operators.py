@@ -12,7 +12,7 @@ from shapes import activate, add, op
 from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
-VERBS = {'Accept', 'Add', 'Apply', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Check', 'Choose', 'Clamp', 'Clear', 'Convert',
+VERBS = {'Accept', 'Add', 'Apply', 'Ask', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Check', 'Choose', 'Clamp', 'Clear', 'Collect', 'Convert',
          'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
          'Fill', 'Fillet', 'Finish', 'Fit', 'Flip', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
          'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',

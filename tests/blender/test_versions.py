@@ -105,6 +105,7 @@ FACTS = {'by span': (versions.sampling.by_span, samples_by_span, (5, 0, 0), None
          'presets': (versions.has_skip_preset, knows_what_presets_skip, (4, 2, 0), None),
          'files': (versions.drops_files, lambda: hasattr(bpy.types, 'SPLINEWRIGHT_FH_bpt'), (4, 2, 0), None),
          'failed saves': (versions.tells_of_failed_saves, lambda: 'save_post_fail' in dir(bpy.app.handlers), (4, 2, 0), None),
+         'folders': (versions.has_extension_folders, lambda: 'extension_path_user' in dir(bpy.utils), (4, 2, 0), None),
          'modal': (versions.knows_modal_operators, lambda: hasattr(bpy.context.window, 'modal_operators'), (4, 2, 0), None)}
 
 
@@ -119,7 +120,7 @@ def test_every_fact_is_measured():
     public = {name for name in vars(versions) if not name.startswith('_')} - {'bpy', 'gpu', 'cache', 'native', 'name'}
     assert public == {'sampling', 'keeps_exact_normals', 'has_auto_smooth', 'wants_face_totals', 'uvs_are_attributes',
                       'marks_are_attributes', 'actions_have_layers', 'has_skip_preset', 'drops_files', 'tells_of_failed_saves',
-                      'knows_modal_operators', 'point_shader'}          # of which a window tells
+                      'has_extension_folders', 'knows_modal_operators', 'point_shader'}          # of which a window tells
     assert versions.sampling._fields == ('by_span', 'polygon_at_1')
 
 

@@ -53,6 +53,9 @@ def test_a_lesson_is_read_and_its_answers_are_checked():
     assert checking.is_right(third.ask, shown(), 1) and not checking.is_right(third.ask, shown(), 0)
     assert checking.is_right(fourth.ask, shown(), 2.005) and not checking.is_right(fourth.ask, shown(), 2.1)
     assert not checking.is_right(fourth.ask, shown())
+    asked = reading.read(json.dumps(changed('steps', 3, 'ask', to={'point': [2, 1, 2], 'of': "curve"}))).steps[3].ask
+    for answer, is_right in (([1, 2], True), ([2, 1], True), ([1], False), ([0, 1, 2], False), ([], False), (None, False)):
+        assert checking.is_right(asked, shown(), answer) == is_right
 
 
 SPLINE = sc.NurbsCurve(2, [0, 0, 0, 1, 2, 2, 2], [(0, 0, 0), (1, 2, 0), (2, 0, 0), (3, 1, 0)], [1, 2, 1, 1])
@@ -188,7 +191,12 @@ DO = ('steps', 1, 'ask', 'do', 0)
     (('steps', 1, 'solution'), None, "needs a solution"), (('steps', 1, 'solution'), [{'shape': "curve", 'set': {}}], "has no recipe"),
     (('steps', 1, 'solution'), [{'shape': "steps", 'value': {}}], "made by a recipe"),
     (('steps', 2, 'ask', 'right'), 3, "two choices or more"), (('steps', 2, 'ask', 'choose'), ["one"], "two choices or more"),
-    (('steps', 3, 'ask', 'within'), -1, "a number above 0"), (('steps', 3, 'ask'), {'guess': 1}, "one of do, number, choose"),
+    (('steps', 3, 'ask', 'within'), -1, "a number above 0"), (('steps', 3, 'ask'), {'guess': 1}, "one of do, number, choose, point"),
+    (('steps', 3, 'ask'), {'point': [1]}, "'of' is missing"), (('steps', 3, 'ask'), {'point': [], 'of': "curve"}, "the number of a point"),
+    (('steps', 3, 'ask'), {'point': [-1], 'of': "curve"}, "a whole number from 0"), (('steps', 3, 'ask'), {'point': 1, 'of': "curve"}, "a list is"),
+    (('steps', 3, 'ask'), {'point': [1.5], 'of': "curve"}, "a whole number from 0"),
+    (('steps', 3, 'ask'), {'point': [1], 'of': "steps"}, "none can be picked"), (('steps', 3, 'ask'), {'point': [1], 'of': "no"}, "no shape 'no' yet"),
+    ((*STEP, 'picture'), "lost.png", "step 1: 'picture' is not known"),
     (('steps', 0, 'text'), "x" * 3000, "at most 2,000 characters"), (('steps', 0, 'overlays'), ["labels"] * 100, "40 are the most")))
 def test_what_a_file_must_not_say_is_a_sentence_with_its_place(path, to, said):
     with pytest.raises(failures.Refusal, match=said.replace("(", r"\(")):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, labels_overlay,
+from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, labels_overlay, lesson_overlay,
                measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay,
                stopped, weight_overlay)
 
@@ -24,7 +24,7 @@ _DRAWS = (
     (measure_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
     (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'),
-    (stopped.draw, 'POST_PIXEL'), (messages.draw, 'POST_PIXEL'),
+    (lesson_overlay.draw, 'POST_PIXEL'), (stopped.draw, 'POST_PIXEL'), (messages.draw, 'POST_PIXEL'),
 )
 
 _handles = ()

@@ -1,4 +1,4 @@
-"""The lesson of a scene, in the sidebar: what a step says, what is watched, and the question."""
+"""The lesson of a scene, in the sidebar: the text of a step, numbers to watch, and the question."""
 
 import bpy
 
@@ -38,7 +38,22 @@ class SPLINEWRIGHT_PT_lesson(SidePanel, bpy.types.Panel):
         row = layout.row(align=True)
         for way, text in (('BACK', "Back"), ('RESET', "Reset"), ('NEXT', "Next")):
             row.operator("splinewright.lesson_step", text=text).way = way
+        layout.prop(context.scene, "splinewright_lesson_in_view")
         _draw_end(layout)
+
+
+def _draw_picked(box, ask):
+    """Which points are picked, or how to pick some."""
+    held = lessons.net_of(bpy.context, ask.shape)
+    if held is None:
+        box.operator("splinewright.pick_answer", icon='EDITMODE_HLT')
+        return
+    try:
+        picked = lessons.picked_points(held)
+    except FAILURES as error:
+        texts.draw_problem(box, sentence(error))
+        return
+    texts.draw_note(box, f"Picked: {', '.join(map(str, picked))}" if picked else "Select points of the net", icon='NONE')
 
 
 def _draw_watched(layout, scene, step):
@@ -60,6 +75,8 @@ def _draw_question(layout, scene, step, number):
     else:
         if ask.kind == 'number':
             box.prop(scene, "splinewright_answer")
+        if ask.kind == 'point':
+            _draw_picked(box, ask)
         box.operator("splinewright.check_answer", icon='CHECKMARK')
     known = stage.answers(scene).get(str(number))
     if known and ui_state.lesson_word:

@@ -109,6 +109,7 @@ def _draw_start(layout):
     row = box.row()
     row.operator(manual.SPLINEWRIGHT_OT_manual.bl_idname, text="First Steps", icon='PLAY').page = "five-minutes.html"
     row.operator_menu_enum("splinewright.add_sample", "sample", icon='SCENE_DATA')
+    row.operator("splinewright.start_lesson", text="First Lesson", icon='PLAY')
     row.operator_menu_enum("splinewright.start_lesson", "lesson", icon='HELP')
     row.operator("splinewright.add_asset_library", icon='ASSET_MANAGER')
 

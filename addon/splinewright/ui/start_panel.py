@@ -79,6 +79,7 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
             _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
             layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
             add_sample.draw(layout)
+            layout.operator("splinewright.start_lesson", text="First Lesson", icon='PLAY')
             layout.operator_menu_enum("splinewright.start_lesson", "lesson", icon='HELP')
             layout.operator("splinewright.manual", text="First Steps", icon='HELP').page = "five-minutes.html"
 

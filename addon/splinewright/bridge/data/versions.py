@@ -44,6 +44,9 @@ drops_files = hasattr(bpy.types, 'FileHandler')
 #: 4.2.0, not 3.4.1: it tells of a save that failed.
 tells_of_failed_saves = hasattr(bpy.app.handlers, 'save_post_fail')
 
+#: 4.2.0, not 3.4.1: add-ons that are extensions have folders of their own for what users put there.
+has_extension_folders = hasattr(bpy.utils, 'extension_path_user')
+
 #: 4.2.0, not 3.4.1: a window tells which operators are under way in it.
 knows_modal_operators = 'modal_operators' in bpy.types.Window.bl_rna.properties
 

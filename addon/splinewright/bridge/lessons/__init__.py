@@ -1,1 +1,1 @@
-"""Lessons in scenes of their own: their shapes, where a learner is, and what was answered."""
+"""Lessons in separate scenes: their shapes, where a learner is, and what was answered."""

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ...core.base.failures import Refusal
+from ...core.lessons import answers as kept_answers
 from ...core.lessons import checking
 from ...core.lessons.facets import Facets
 from ...core.lessons.measures import Shown
@@ -16,8 +17,11 @@ from ..follow import follow, making
 from ..recipes import recipes
 from ..shape import recipe_edit, shape
 
-#: On a scene: the name of its lesson, the number of the step from 0, the answers as JSON, the name of the scene before.
-LESSON, STEP, ANSWERS, BEFORE = (f"splinewright_lesson{suffix}" for suffix in ("", "_step", "_answers", "_before"))
+#: On a scene: the name of its lesson, the number of the step from 0, the answers as JSON, the name of the scene before, and the text of
+#: a lesson that is not the add-on's.
+LESSON, STEP, ANSWERS, BEFORE, FILE = (f"splinewright_lesson{suffix}" for suffix in ("", "_step", "_answers", "_before", "_file"))
+#: On a scene that was no lesson's, or is none any more: the answers of lessons that were left.
+RECORD = "splinewright_lesson_record"
 #: On an object: the name by which a lesson knows it.
 SHAPE = "splinewright_lesson_shape"
 
@@ -33,10 +37,17 @@ def step_of(scene):
     return found if isinstance(found, int) and found >= 0 else 0
 
 
-def begin(lesson, before):
-    """A new scene with the first step of a lesson; before: the scene that is shown now. Raises Refusal or an error of the library."""
+def text_of(scene):
+    """The text of its lesson, or "" where that is one of the add-on's."""
+    return str(scene.get(FILE, ""))
+
+
+def begin(lesson, before, text=""):
+    """A new scene with the first step of a lesson; before: the scene that is shown now; text: as of text_of(). Raises Refusal or an error
+    of the library."""
     scene = bpy.data.scenes.new(lesson.title)
-    scene[LESSON], scene[STEP], scene[ANSWERS], scene[BEFORE] = lesson.name, 0, "{}", before.name
+    scene[LESSON], scene[STEP], scene[BEFORE], scene[FILE] = lesson.name, 0, before.name, text
+    scene[ANSWERS] = json.dumps(recorded(before).get(lesson.name, {}))
     try:
         rebuild(scene, lesson, 0)
     except Exception:
@@ -141,7 +152,7 @@ def _facets(mesh):
 
 
 def answer(scene, lesson, given=None):
-    """Whether the question of the step is answered, by the shapes or by what is given; it is kept. Raises what measures raise."""
+    """Whether the question of the step is answered, by the shapes or by a given answer; it is kept. Raises what measures raise."""
     number = step_of(scene)
     is_right = checking.is_right(lesson.steps[number].ask, shapes_of(scene), given)
     known = answers(scene)
@@ -153,16 +164,31 @@ def answer(scene, lesson, given=None):
 
 def answers(scene):
     """{number of a step as text: {'answer', 'right', 'tries'}}; none where they are damaged."""
-    try:
-        found = json.loads(scene.get(ANSWERS, "{}"))
-    except (TypeError, ValueError):
-        return {}
-    return found if isinstance(found, dict) and all(isinstance(one, dict) for one in found.values()) else {}
+    return kept_answers.read(scene.get(ANSWERS, "{}"))
+
+
+def recorded(scene):
+    """{name of a lesson: answers()} of lessons that were left; none where they are damaged."""
+    return kept_answers.read_record(scene.get(RECORD, "{}"))
+
+
+def record(scene, other):
+    """Keep the answers of a lesson's scene with another one, which stays, or with itself."""
+    given = answers(scene)
+    if given:
+        other[RECORD] = json.dumps({**recorded(other), lesson_of(scene): given})
+
+
+def all_answers(scene):
+    """{name of a lesson: answers()} of a scene: of the lesson that it shows, and of those that were left."""
+    own = {lesson_of(scene): answers(scene)} if lesson_of(scene) else {}
+    return kept_answers.merged([recorded(scene), own])
 
 
 def keep(scene):
-    """Make it an ordinary scene."""
-    for owner, names in ((scene, (LESSON, STEP, ANSWERS, BEFORE)), *((ob, (SHAPE,)) for ob in scene.objects)):
+    """Make it an ordinary scene, which keeps the answers."""
+    record(scene, scene)
+    for owner, names in ((scene, (LESSON, STEP, ANSWERS, BEFORE, FILE)), *((ob, (SHAPE,)) for ob in scene.objects)):
         for name in names:
             if name in owner.keys():
                 del owner[name]

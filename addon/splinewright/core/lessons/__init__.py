@@ -1,1 +1,1 @@
-"""Lessons: what their files say, what is measured of the shapes of a step, and whether an answer is right."""
+"""Lessons: their files, measures of the shapes of a step, and whether an answer is right."""

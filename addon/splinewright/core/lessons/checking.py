@@ -1,19 +1,21 @@
-"""Whether an answer is right, and what is watched."""
+"""Whether an answer is right, and texts with numbers that follow the shapes."""
 
 from .lesson import VALUE, Measure
 from .measures import measured
 
 
 def is_right(ask, shapes, answer=None):
-    """Whether a question is answered: by the shapes {name: measures.Shown} as they are, by a typed number, or by the number of a
-    choice from 0. Raises what measured() raises."""
+    """Whether a question is answered: by the shapes {name: measures.Shown} as they are, by a typed number, by the number of a choice
+    from 0, or by numbers of points. Raises what measured() raises."""
     if ask.kind == 'do':
         return all(holds(condition, shapes) for condition in ask.conditions)
     if answer is None:
         return False
     if ask.kind == 'choose':
         return answer == ask.right
-    return abs(answer - _number(ask.value, shapes)) <= ask.within
+    if ask.kind == 'point':
+        return set(answer) == ask.points
+    return bool(abs(answer - _number(ask.value, shapes)) <= ask.within)
 
 
 def holds(condition, shapes):

@@ -1,4 +1,4 @@
-"""What a lesson is: steps that make shapes, say what to move and to watch, and ask."""
+"""What a lesson is: steps that make shapes, name numbers to move and to watch, and ask."""
 
 import re
 from dataclasses import dataclass, field
@@ -53,7 +53,7 @@ class Condition(NamedTuple):
 @dataclass(frozen=True)
 class Ask:
     """A question. kind: 'do' is right when all conditions hold, 'number' when the typed number is near a measure or number, 'choose'
-    when the right answer is chosen."""
+    when the right answer is chosen, 'point' when exactly these control points of a shape are picked."""
 
     kind: str
     conditions: tuple = ()
@@ -61,6 +61,8 @@ class Ask:
     within: float = 0.0
     choices: tuple = ()
     right: int = 0
+    shape: str = ""
+    points: frozenset = frozenset()     # numbers from 0 among all points of the shape
 
 
 class Watch(NamedTuple):

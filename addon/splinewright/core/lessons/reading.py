@@ -104,7 +104,7 @@ def _step(place, known):
         _changes(found.get('solution'), known),
         tuple(_changes(one, known) for one in _list(found, 'wrong')))
     if step.ask is not None and step.ask.kind == 'do' and not step.solution:
-        place.fail("what is to be done needs a solution")
+        place.fail("a deed needs a solution")
     return step
 
 
@@ -268,10 +268,11 @@ def _quantity(place, known):
 
 
 def _ask(place, known):
-    kind = next((kind for kind in ('do', 'number', 'choose') if isinstance(place.found, dict) and kind in place.found), None)
+    readers = {'do': _ask_do, 'number': _ask_number, 'choose': _ask_choice, 'point': _ask_point}
+    kind = next((kind for kind in readers if isinstance(place.found, dict) and kind in place.found), None)
     if kind is None:
-        place.fail("one of do, number, choose is expected")
-    return {'do': _ask_do, 'number': _ask_number, 'choose': _ask_choice}[kind](place, known)
+        place.fail(f"one of {', '.join(readers)} is expected")
+    return readers[kind](place, known)
 
 
 def _ask_do(place, known):
@@ -298,6 +299,17 @@ def _ask_number(place, known):
     if not within > 0.0:
         found['within'].fail("a number above 0 is expected")
     return Ask('number', value=_quantity(found['number'], known), within=within)
+
+
+def _ask_point(place, known):
+    found = place.fields(('point', 'of'))
+    name = _shape(found['of'], known)
+    if known[name] and not RECIPES[known[name]].points:
+        found['of'].fail(f"{name!r} is made by a recipe without points: none can be picked")
+    points = frozenset(one.whole() for one in found['point'].entries())
+    if not points:
+        found['point'].fail("the number of a point is expected, from 0")
+    return Ask('point', shape=name, points=points)
 
 
 def _ask_choice(place, known):

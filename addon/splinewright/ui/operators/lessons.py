@@ -1,15 +1,17 @@
-"""Lessons: begin one, go through its steps, answer, leave."""
+"""The lesson of a scene: go through its steps, answer, leave."""
 
 import bpy
-from bpy.props import EnumProperty, IntProperty
+import numpy as np
+from bpy.props import BoolProperty, EnumProperty, IntProperty
 
+from ...bridge.cage import net_object
 from ...bridge.lessons import shelf, stage
+from ...bridge.net import live, selection
 from ...core.base.failures import FAILURES, Refusal
 from .. import editing
 from ..ui_state import ui_state
-from . import polls, reports
-
-_VIEWS = ('TOP', 'FRONT', 'RIGHT')
+from . import reports
+from .lesson_start import show_view
 
 
 def current(scene):
@@ -17,36 +19,26 @@ def current(scene):
     name = stage.lesson_of(scene)
     if not name:
         return None
-    found = shelf.all_lessons().get(name)
+    text = stage.text_of(scene)
+    found = shelf.read_text(text) if text else shelf.all_lessons().get(name)
     if found is None or stage.is_damaged(scene, found):
         raise Refusal(f"there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one")
     return found
 
 
-def _lessons(_self, _context):
-    """Blender needs the texts to live on."""
-    global _items
-    _items = [(name, lesson.title, " ".join(lesson.lectures)) for name, lesson in shelf.all_lessons().items()]
-    return _items
+def net_of(context, name):
+    """The net in Edit Mode of a shape of the lesson, or None."""
+    for held in editing.nets_in_edit_mode(context):
+        owner = net_object.shape_of(held)
+        if owner is not None and owner.get(stage.SHAPE) == name:
+            return held
+    return None
 
 
-_items = []
-
-
-def show_view(context, step):
-    """Look from where a step is seen best, at all that it shows."""
-    chosen = context.scene.splinewright_sights
-    for name in step.overlays:
-        if hasattr(chosen, name):
-            setattr(chosen, name, True)
-    area = context.area
-    if area is None or area.type != 'VIEW_3D':
-        return
-    region = next(region for region in area.regions if region.type == 'WINDOW')
-    with context.temp_override(area=area, region=region):
-        if step.view in _VIEWS:
-            bpy.ops.view3d.view_axis(type=step.view)
-        bpy.ops.view3d.view_all()
+def picked_points(held):
+    """Numbers of the selected points of a net, from 0. Raises Refusal."""
+    net = live.session(held.data).net
+    return sorted({int(row) for row in net.rows[selection.selected(held, net)]})
 
 
 class _OfLesson:
@@ -62,36 +54,23 @@ class _OfLesson:
         return True
 
     def execute(self, context):
-        if context.mode != 'OBJECT':
-            editing.end()
         try:
-            return self.done(context, context.scene, current(context.scene))
+            lesson = current(context.scene)
+            if context.mode != 'OBJECT' and not self.is_about_points(context.scene, lesson):
+                editing.end()
+            return self.done(context, context.scene, lesson)
         except FAILURES as error:
             return reports.failed(self, error)
 
+    def is_about_points(self, scene, lesson):
+        """Whether it works on the points that are picked, and the net stays out."""
+        return False
 
-class SPLINEWRIGHT_OT_start_lesson(bpy.types.Operator):
-    bl_idname = "splinewright.start_lesson"
-    bl_label = "Start Lesson"
-    bl_description = "Open a lesson in a scene of its own; your scene stays as it is"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    lesson: EnumProperty(name="Lesson", description="Which lesson is opened", items=_lessons, options={'SKIP_SAVE'})
-
-    @classmethod
-    def poll(cls, context):
-        return polls.in_object_mode(cls, context)
-
-    def execute(self, context):
-        try:
-            lesson = shelf.all_lessons()[self.lesson]
-            scene = stage.begin(lesson, context.scene)
-        except FAILURES as error:
-            return reports.failed(self, error)
-        if context.window is not None:
-            context.window.scene = scene
-            show_view(context, lesson.steps[0])
-        return reports.finished(self, reports.Report(f"{lesson.title}: the sidebar has its steps"))
+class _OfAnswer(_OfLesson):
+    def is_about_points(self, scene, lesson):
+        ask = lesson.steps[stage.step_of(scene)].ask
+        return ask is not None and ask.kind == 'point'
 
 
 class SPLINEWRIGHT_OT_lesson_step(_OfLesson, bpy.types.Operator):
@@ -121,7 +100,7 @@ class SPLINEWRIGHT_OT_lesson_step(_OfLesson, bpy.types.Operator):
         return {'FINISHED'}
 
 
-class SPLINEWRIGHT_OT_check_answer(_OfLesson, bpy.types.Operator):
+class SPLINEWRIGHT_OT_check_answer(_OfAnswer, bpy.types.Operator):
     bl_idname = "splinewright.check_answer"
     bl_label = "Check Answer"
     bl_description = "Say whether the question of this step is answered"
@@ -132,25 +111,62 @@ class SPLINEWRIGHT_OT_check_answer(_OfLesson, bpy.types.Operator):
         ask = lesson.steps[stage.step_of(scene)].ask
         if ask is None:
             return reports.cancelled(self, "This step asks nothing")
-        given = {'do': None, 'number': scene.splinewright_answer, 'choose': self.choice}[ask.kind]
+        given = {'do': None, 'number': scene.splinewright_answer, 'choose': self.choice}.get(ask.kind)
+        if ask.kind == 'point':
+            held = net_of(context, ask.shape)
+            given = picked_points(held) if held is not None else []
+            if not given:
+                return reports.cancelled(self, f"Select points of {ask.shape}: Pick Points shows them")
         is_right = stage.answer(scene, lesson, given)
         ui_state.lesson_word = "Right" if is_right else "Not yet"
         return reports.finished(self, reports.Report(f"{ui_state.lesson_word}."))
 
 
-class SPLINEWRIGHT_OT_show_solution(_OfLesson, bpy.types.Operator):
+class SPLINEWRIGHT_OT_pick_answer(_OfAnswer, bpy.types.Operator):
+    bl_idname = "splinewright.pick_answer"
+    bl_label = "Pick Points"
+    bl_description = "Edit the control points that the question is about: select those that you mean, then Check Answer"
+
+    def done(self, context, scene, lesson):
+        ask = lesson.steps[stage.step_of(scene)].ask
+        if ask is None or ask.kind != 'point':
+            return reports.cancelled(self, "This step asks for no points")
+        if net_of(context, ask.shape) is not None:
+            return reports.cancelled(self, f"The points of {ask.shape} can be selected now")
+        if context.mode != 'OBJECT':
+            editing.end()
+        ob = stage.object_of(scene, ask.shape)
+        for other in context.selected_objects:
+            other.select_set(False)
+        ob.select_set(True)
+        context.view_layer.objects.active = ob
+        editing.enter(context, ob)
+        return {'FINISHED'}
+
+
+class SPLINEWRIGHT_OT_show_solution(_OfAnswer, bpy.types.Operator):
     bl_idname = "splinewright.show_solution"
     bl_label = "Show Me"
-    bl_description = "Make what is asked for; Ctrl+Z takes it back"
+    bl_description = "Make the solution; Ctrl+Z takes it back"
 
     def done(self, context, scene, lesson):
         step = lesson.steps[stage.step_of(scene)]
         if step.ask is not None and step.ask.kind == 'choose':
             return reports.finished(self, reports.Report(f"The answer is: {step.ask.choices[step.ask.right]}"))
+        if step.ask is not None and step.ask.kind == 'point':
+            return self._show_points(context, step.ask)
         if not step.solution:
             return reports.cancelled(self, "This step has nothing to show")
         stage.change(scene, step.solution)
         return {'FINISHED'}
+
+    def _show_points(self, context, ask):
+        held, points = net_of(context, ask.shape), sorted(ask.points)
+        if held is not None:
+            net = live.session(held.data).net
+            selection.select(held, net, np.flatnonzero(np.isin(net.rows, points)))
+        text = "The point is" if len(points) == 1 else "The points are"
+        return reports.finished(self, reports.Report(f"{text} {', '.join(map(str, points))}, counted from 0"))
 
 
 class SPLINEWRIGHT_OT_leave_lesson(_OfLesson, bpy.types.Operator):
@@ -170,6 +186,7 @@ class SPLINEWRIGHT_OT_leave_lesson(_OfLesson, bpy.types.Operator):
             stage.keep(scene)
             return {'FINISHED'}
         other = stage.before(scene) or bpy.data.scenes.new("Scene")
+        stage.record(scene, other)
         for window in context.window_manager.windows:
             if window.scene == scene:
                 window.scene = other
@@ -177,14 +194,17 @@ class SPLINEWRIGHT_OT_leave_lesson(_OfLesson, bpy.types.Operator):
         return {'FINISHED'}
 
 
-CLASSES = (SPLINEWRIGHT_OT_start_lesson, SPLINEWRIGHT_OT_lesson_step, SPLINEWRIGHT_OT_check_answer, SPLINEWRIGHT_OT_show_solution,
+CLASSES = (SPLINEWRIGHT_OT_lesson_step, SPLINEWRIGHT_OT_check_answer, SPLINEWRIGHT_OT_pick_answer, SPLINEWRIGHT_OT_show_solution,
            SPLINEWRIGHT_OT_leave_lesson)
 
 
 def register():
+    bpy.types.Scene.splinewright_lesson_in_view = BoolProperty(
+        name="Text in View", description="Write the text of the lesson's step into the 3D view, at its upper left", default=True, options=set())
     bpy.types.Scene.splinewright_answer = bpy.props.FloatProperty(
         name="Answer", description="The number that answers the question", precision=4, options=set())
 
 
 def unregister():
     del bpy.types.Scene.splinewright_answer
+    del bpy.types.Scene.splinewright_lesson_in_view

@@ -1,0 +1,126 @@
+"""Shapes of a teacher's scene, as a lesson says them."""
+
+import bpy
+import numpy as np
+
+from ...core.base.failures import Refusal
+from ...core.lessons.drafts import Present
+from ...core.lessons.measures import Shown
+from ...core.recipes.table import RECIPES
+from ...core.shape import definition as definitions
+from ...core.shape import transform
+from ..data import store
+from ..recipes import placing, recipes
+from ..shape import shape
+from .stage import SHAPE
+
+
+def known(scene):
+    """{object: name} of the shapes of a scene that its lesson knows. Of copies the first one counts."""
+    found = {}
+    for ob in sorted(scene.objects, key=lambda ob: (ob.name != ob.get(SHAPE), ob.name)):
+        if SHAPE in ob.keys() and shape.has_shape(ob) and str(ob[SHAPE]) not in found.values():
+            found[ob] = str(ob[SHAPE])
+    return found
+
+
+def with_inputs(obs):
+    """Shapes, and those that they are made from, each after its inputs."""
+    found = {}
+
+    def put(ob, above):
+        if ob in found or ob in above:
+            return
+        for source in recipes.read_inputs(ob.data) if recipes.has(ob.data) else ():
+            if shape.has_shape(source):
+                put(source, (*above, ob))
+        found[ob] = None
+    for ob in obs:
+        put(ob, ())
+    return list(found)
+
+
+def present(obs, names, depsgraph):
+    """{name: Present} of shapes; names: {object: name} of all that the lesson knows. Raises Refusal or an error of the library."""
+    return {names[ob]: _present(ob, names, depsgraph) for ob in obs}
+
+
+def _present(ob, names, depsgraph):
+    if shape.is_touched(ob.data):
+        raise Refusal(f"{ob.name} was changed by hand: Restore it first")
+    stored = recipes.read(ob.data)
+    value = _in_world(ob, depsgraph)
+    why = _why_value(ob, stored, names, depsgraph) if stored else ""
+    if stored is None or why:
+        return Present("", (), {}, value, why)
+    return Present(stored.recipe.kind, tuple(names[source] for source in stored.sources), dict(stored.values), value)
+
+
+def _in_world(ob, depsgraph):
+    definition, matrix = store.read(ob.data), placing.world(ob, depsgraph)
+    return definitions.to_value(definition if np.array_equal(matrix, np.eye(4)) else transform.transformed(definition, matrix))
+
+
+def _why_value(ob, stored, names, depsgraph):
+    """Why a lesson cannot make a shape by its recipe, or ""."""
+    if stored.frames or any(stored.turned):
+        return "an object gives its axis or place, or an input is turned"
+    if not stored.sources:
+        if len(stored.points) and not np.array_equal(stored.points, stored.recipe.start_for(stored.values)):
+            return "its points were moved"
+        return "" if _is_at(ob, np.eye(4), depsgraph) else "it was moved, turned or scaled"
+    if None in stored.sources:
+        return "what it was made from is gone"
+    strange = next((source.name for source in stored.sources if source not in names), "")
+    if strange:
+        return f"it is made from {strange}, which is not a shape of the lesson"
+    if not _is_at(ob, placing.beside(stored.sources[0], depsgraph).matrix, depsgraph):
+        return "it does not lie where it was made"
+    is_own = stored.recipe.own_spaces or stored.recipe.takes_spaces
+    return "what it is made from was moved" if is_own and not all(_is_at(one, np.eye(4), depsgraph) for one in stored.sources) else ""
+
+
+def _is_at(ob, matrix, depsgraph):
+    return np.allclose(placing.world(ob, depsgraph), matrix, rtol=1e-6, atol=1e-6)
+
+
+def recipe_of(ob):
+    """The Recipe of a shape, or None, as far as it can be told without reading all of it."""
+    return RECIPES.get(recipes.kind(ob.data))
+
+
+def shown(found):
+    """What measures take of {name: Present}."""
+    return {name: Shown(one.value, one.settings) for name, one in found.items()}
+
+
+def mark(names):
+    """Let objects {object: name} be shapes of the lesson."""
+    for ob, name in names.items():
+        ob[SHAPE] = name
+
+
+def new_names(obs, names):
+    """{object: name} with those of more objects."""
+    found = dict(names)
+    for ob in obs:
+        if ob not in found:
+            taken, name, number = set(found.values()), ob.name, 2
+            while name in taken:
+                name, number = f"{ob.name} {number}", number + 1
+            found[ob] = name
+    return found
+
+
+def unmark(scene):
+    """Its shapes belong to no lesson any more."""
+    for ob in scene.objects:
+        if SHAPE in ob.keys():
+            del ob[SHAPE]
+
+
+def graph():
+    """The depsgraph of the current view layer."""
+    layer = bpy.context.view_layer
+    layer.update()
+    return layer.depsgraph
