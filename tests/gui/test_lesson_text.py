@@ -1,4 +1,4 @@
-"""A lesson in a window: its text stands in the view and can be switched off, and a point is picked with the mouse."""
+"""A lesson in a window: its text stands in the view and can be switched off, and points are picked in the net."""
 
 import json
 import os
@@ -6,9 +6,10 @@ import sys
 from pathlib import Path
 
 import bpy
+import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
+from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, select_points, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 stage = part('bridge.lessons.stage')
@@ -35,7 +36,7 @@ def steps():
     yield from until(lambda: stage.lesson_of(view.window.scene), "the lesson")
     scene = view.window.scene
     view.open_sidebar()
-    yield from view.show_tab("NURBS", (1045, 538))
+    yield from view.show_tab("NURBS", (1045, 598))
     yield from redrawn()
     shown = upper_left(save_picture(OUTPUT / "lesson-text.png"), view)
     scene.splinewright_lesson_in_view = False
@@ -45,10 +46,10 @@ def steps():
     with view.override():
         assert bpy.ops.splinewright.pick_answer('EXEC_DEFAULT', True) == {'FINISHED'}
     yield from into_net()
-    for number, shift in ((1, False), (2, True)):
-        view.move(*view.pixel_of(POINTS[number][:3]))
-        view.press('LEFTMOUSE', shift=shift)
-        yield from redrawn()
+    with view.override():
+        net = part('bridge.net.live').session(bpy.context.object.data).net
+        select_points(*np.flatnonzero(np.isin(net.rows, (1, 2))))
+    yield from redrawn()
     save_picture(OUTPUT / "lesson-picked.png")
     with view.override():
         assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True) == {'FINISHED'}
