@@ -67,7 +67,7 @@ STATES = {
     'cylinder': lambda: made('add_cylinder'), 'teapot': lambda: made('add_teapot'), 'revolved': revolved, 'touched': touched}
 
 
-TOLD_LATE |= {(state, 'add_filling') for state in STATES}
+TOLD_LATE |= {(state, name) for state in STATES for name in ('add_filling', 'add_lift')}
 
 
 def begun(state):

@@ -85,5 +85,5 @@ def test_typed_orders():
     for text in ("0 1 2", "0 1 1 3", "0 1 2 4", "a b c d", "-1 0 1 2"):
         with pytest.raises(Refusal, match="is not an order of the points 0 to 3"):
             orders.typed(text, 4)
-    with pytest.raises(Refusal, match="too many orders"):
-        orders.all_of(sc.BezierCurve(RANDOM.uniform(-1, 1, (6, 3))).to_nurbs())
+    found = orders.all_of(sc.BezierCurve(RANDOM.uniform(-1, 1, (6, 3))).to_nurbs())
+    assert len(found) == 6 and found[:2] == [(0, 1, 2, 3, 4, 5), (1, 0, 2, 3, 4, 5)]

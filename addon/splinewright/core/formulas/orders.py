@@ -30,11 +30,12 @@ def typed(text, count):
 
 
 def all_of(curve):
-    """All orders of the points of a curve that make different ones: of an order and its reverse one, where knots are symmetric. Raises
-    Refusal for too many."""
+    """All orders of the points of a curve that make different ones: of an order and its reverse one, where knots are symmetric. Of more
+    than five points the first orders in which two neighbors are swapped."""
     count = len(curve.points)
     if count > 5:
-        raise Refusal(f"{count} points have too many orders: type those that are wanted")
+        swaps = ((*range(i), i + 1, i, *range(i + 2, count)) for i in range(min(count - 1, MOST - 1)))
+        return [tuple(range(count)), *swaps]
     found = list(permutations(range(count)))
     return [order for order in found if order <= order[::-1]] if _is_symmetric(curve) else found
 

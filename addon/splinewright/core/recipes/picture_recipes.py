@@ -73,7 +73,11 @@ def _discs(inputs, piece, position, radius):
 def _orders(inputs, piece, wanted_orders, columns, polygons):
     curve = teaching.curve_of(inputs[0], piece).to_nurbs()
     found = orders.typed(wanted_orders, len(curve.points)) or orders.all_of(curve)
-    return of_parts(orders.picture(curve, found, columns, polygons), f"{len(found)} order{'s' if len(found) > 1 else ''}")
+    return of_parts(orders.picture(curve, found, columns, polygons), f"{len(found)} order{'s' if len(found) > 1 else ''}{_some(wanted_orders, curve)}")
+
+
+def _some(text, curve):
+    return ": of two neighbors swapped, for there are too many" if not text.strip() and len(curve.points) > 5 else ""
 
 
 def _influence(inputs, piece, index, index_v, marker, above):

@@ -19,7 +19,7 @@ _OWNER = "splinewright_formulas_of"
 class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
     bl_idname = "splinewright.write_formulas"
     bl_label = "Write Formulas as Text"
-    bl_description = "Write points, power basis, matrices, conic equation and the triangles of de Boor and de Casteljau to a text"
+    bl_description = "Write points, power basis, matrices, equation and triangles of a curve or patch to a text, in fractions"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     piece: IntProperty(name="Piece", description="Which curve or patch of the shape, counted from 1", default=1, min=1,
