@@ -34,6 +34,12 @@ TEST(Multiplied, IsTheSameCurveForThousandRationalCurves) {
   }
 }
 
+TEST(Multiplied, GivesWeightsToAPolynomialCurve) {
+  const BezierCurve result = multiplied(BezierCurve::make({{0, 0, 0, 1}, {2, 0, 0, 1}}), 1.0, 3.0);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(result.points()[i].w, 1.0 + i);
+  EXPECT_EQ(point_at(result.nurbs(), 0.5).x, 1.0);
+}
+
 TEST(Multiplied, TakesNumbersAboveZeroOnly) {
   const BezierCurve curve = BezierCurve::make({{0, 0, 0, 1}, {1, 2, 3, 2}});
   EXPECT_THROW(multiplied(curve, 0.0, 1.0), InvalidShape);

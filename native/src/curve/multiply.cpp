@@ -1,9 +1,10 @@
 #include "splinecore/curve/multiply.hpp"
 
 #include <string>
+#include <vector>
 
+#include "base/given_points.hpp"
 #include "basis/elevation.hpp"
-#include "made_of.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -25,7 +26,11 @@ NurbsCurve multiplied(const NurbsCurve& curve, double start, double end) {
   require_factor(start, "start");
   require_factor(end, "end");
   const NurbsCurve plain = curve.periodic() ? opened(curve, curve.domain().start) : curve;
-  return applied(elevation(plain.knot_vector(), start, end), plain);
+  const PointMatrix matrix = elevation(plain.knot_vector(), start, end);
+  std::vector<glm::dvec4> points(matrix.knots().count());
+  matrix.apply(plain.homogeneous_points().data(), 1, points.data(), 1);
+  constexpr bool kIsRational = true;
+  return NurbsCurve::make(matrix.knots(), as_given_from(plain.points(), kIsRational, plain.weight_exponent(), points).made);
 }
 
 BezierCurve multiplied(const BezierCurve& curve, double start, double end) {
