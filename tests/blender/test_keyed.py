@@ -377,13 +377,13 @@ def test_the_five_pictures_of_merging_knots_are_one_film():
         assert problems.of(ob.data, problems.KEYED) == ""
         definition = part('bridge.data.store').read(ob.data)
         assert [piece.name for piece in definition.pieces] == names
-        assert [spline.material_index for spline in ob.data.splines] == [2 + i % (len(materials) - 2) for i in range(12)]
+        assert [spline.material_index for spline in ob.data.splines] == [3 + i % (len(materials) - 3) for i in range(12)]
         require_exact(ob)
         exact = part('core.shape.definition').to_value(definition)
         whole = functions.of_knots(5, [float(word) for word in recipes.parameters(ob.data)['knot_values'].split()])
         assert all(np.isclose(curve.points[0, 0] * 3.5, whole.supports(i)[0][0], atol=1e-9) for i, curve in enumerate(exact))
     assert list(ob.data.materials) == materials
-    views, renders = in_views_and_renders(ends, ob, (4, 21, 36))
+    views, renders = in_views_and_renders(ends, ob, (4, 20, 36))
     assert views == renders and len({tuple(each) for each in views.values()}) == 3
 
 

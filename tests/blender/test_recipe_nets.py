@@ -7,9 +7,9 @@ import pytest
 from shapes import enter, leave, move, numbers_of, op, require_exact, select
 from support import part
 
-editing, live, net_object, selection, net_props, recipes, table = (part(name) for name in (
+editing, live, net_object, selection, net_props, recipes, table, definitions = (part(name) for name in (
     'ui.editing', 'bridge.net.live', 'bridge.cage.net_object', 'bridge.net.selection', 'ui.net_props', 'bridge.recipes.recipes',
-    'core.recipes.table'))
+    'core.recipes.table', 'core.shape.definition'))
 ANY_COUNT = [recipe.kind for recipe in table.STARTING if recipe.has_any_count]
 CLOSING = [kind for kind in ANY_COUNT if table.RECIPES[kind].can_close]
 FIXED_COUNT = [recipe.kind for recipe in table.STARTING if recipe.points and not recipe.can_gain_points]
@@ -60,7 +60,8 @@ def require_sound(count):
     ob, held = shape_now(), bpy.context.object
     assert problem() == "" and len(points_now()) == count
     recipe = recipes.of(ob.data)
-    assert ob.data.splinewright.value == recipe.make(points_now(), **recipes.parameters(ob.data)).value
+    made = recipe.make(points_now(), **recipes.parameters(ob.data)).value
+    assert ob.data.splinewright.value == (definitions.to_value(made) if isinstance(made, definitions.Definition) else made)
     require_exact(ob)
     in_blender = np.array([point.co[:3] for point in held.data.splines[0].points])
     assert np.array_equal(in_blender.astype(np.float32), points_now().astype(np.float32))

@@ -43,7 +43,7 @@ def labels():
 KEY = r"(?:(?:Ctrl|Shift|Alt)\+)?(?:[A-Z](?: [A-Z])*|Tab|Enter|Esc|Delete|Numpad \d|F\d|wheel)"
 #: Words of Blender's, of its menus and of continuity.
 BLENDERS = {"Object Mode", "Overlays", "Object", "Edit", "Preferences", "Add-ons", "Render", "Lock Interface", "Shift+A", "Curve", "Surface",
-            "Splinewright", "Align", "View", "Y", "G1", "G2", "NURBS", "Follow Path"}
+            "Splinewright", "Align", "View", "Y", "G1", "G2", "NURBS", "Follow Path", "Insert Single Keyframe"}
 
 
 def words_of(page):

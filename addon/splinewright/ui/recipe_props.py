@@ -70,10 +70,12 @@ def _list_property(recipe, parameter):
 
 
 def _change(data, name, value):
-    """Change a parameter. Where nothing results the property shows again what it did."""
+    """Change a parameter. Where nothing results the property shows again what it did. Blender calls this a second time for a number of
+    a list, which then is what it was: that takes no sentence away."""
     try:
-        if value != recipes.parameters(data)[name]:
-            keyed.set_parameters(data, {name: value})
+        if value == recipes.parameters(data)[name]:
+            return
+        keyed.set_parameters(data, {name: value})
         problems.set_problem(data, problems.SETTING, "")
     except FAILURES as error:
         problems.set_problem(data, problems.SETTING, sentence(error))
