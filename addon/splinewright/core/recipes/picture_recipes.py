@@ -94,7 +94,7 @@ def _influence(inputs, piece, index, index_v, marker, above):
 
 def _ducks(points, spacing, marker, ends):
     parts, energy = ducks.picture(points, spacing, marker, ends)
-    return of_parts(parts, f"bending energy {energy:.4g}")
+    return of_parts(parts, f"bending energy {ducks.energy_text(energy)}")
 
 
 RECIPES = (
