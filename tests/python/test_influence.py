@@ -176,6 +176,16 @@ def test_the_energy_of_both_narrow_bends_counts(narrow, size):
     assert parts == pytest.approx([whole / 2.0] * 2, rel=1e-6) and whole * size * narrow ** 2 == pytest.approx(16.0, rel=1e-2)
 
 
+def test_energy_of_many_ducks_is_that_of_all_spans():
+    strip = ducks.strip(points(9), 'uniform')
+    nodes, weights = np.polynomial.legendre.leggauss(30)
+    places = np.linspace(*strip.domain, 8 * 200 + 1)
+    u = (places[1:] + places[:-1])[:, None] / 2 + np.diff(places)[:, None] / 2 * nodes
+    _, first, second = strip.derivatives(u.ravel(), 2).transpose(1, 0, 2)
+    values = (np.cross(first, second) ** 2).sum(1) / (first ** 2).sum(1) ** 2.5
+    assert ducks.energy(strip) == pytest.approx((np.diff(places) / 2 * (values.reshape(u.shape) @ weights)).sum(), rel=1e-8)
+
+
 def test_a_strip_that_turns_back_has_no_finite_energy():
     parts, energy = ducks.picture(np.array([(0.0, 0, 0), (1, 0, 0), (0, 0, 0)]), 'chordal', 0.05, 0.0)
     assert energy == np.inf and parts[-1].name == "mark E = infinite"

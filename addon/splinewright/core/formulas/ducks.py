@@ -37,7 +37,9 @@ def energy(curve):
     if not size > 0.0:
         return np.inf
     unit = (size, end - start)
-    graded = [_graded(curve, *piece, unit) for piece in curve.pieces()]
+    knots = np.unique(curve.knots)
+    knots = knots[(knots >= start) & (knots <= end)]
+    graded = [_graded(curve, *span, unit) for span in zip(knots, knots[1:])]
     if None in graded:
         return np.inf
     places = [np.array(each) for each in graded]
@@ -70,7 +72,7 @@ def _graded(curve, start, end, unit):
     first, second, third = _derivatives(curve, np.array([middle]), 3, unit)[0] * (half / unit[1]) ** np.arange(3)[:, None]
     third = third / 2.0
     slowest = np.roots([2.0 * third @ third, 3.0 * second @ third, second @ second + 2.0 * first @ third, first @ second]).real
-    slowest = slowest[np.abs(slowest) < 1.0]
+    slowest = np.append(slowest[np.abs(slowest) < 1.0], (-1.0, 1.0))
     fastest, found = max(np.linalg.norm(first + s * second + s * s * third) for s in (-1.0, 0.0, 1.0)), {start, end}
     for s in slowest:
         speed = np.linalg.norm(first + s * second + s * s * third)
