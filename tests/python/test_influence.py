@@ -1,4 +1,4 @@
-"""What a control point moves: against curves and patches of which it was moved; and the draughtsman's spline with its energy."""
+"""What a control point moves: against curves and patches of which it was moved; and the draftsman's spline with its energy."""
 
 import numpy as np
 import pytest

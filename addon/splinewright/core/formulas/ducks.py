@@ -1,4 +1,4 @@
-"""The draughtsman's spline: a strip that weights, called ducks, hold at points (S5, 001.36 to 38).
+"""The draftsman's spline: a strip that weights, called ducks, hold at points (S5, 001.36 to 38).
 
 Between ducks it bends as little as it can: the natural cubic spline. Outside of them it is straight.
 """
