@@ -2,7 +2,7 @@
 
 from ..base.failures import Refusal
 
-#: Most entries of a list, characters of a text, and characters of what is wrong.
+#: Most entries of a list, characters of a text, and characters of a refusal.
 MOST_ENTRIES, MOST_TEXT, _MOST_SAID = 40, 2000, 1000
 
 
@@ -46,7 +46,7 @@ class Place:
     def has_characters(self):
         """Refuse texts that Blender cannot keep."""
         if "\0" in self.found or any("\ud800" <= one <= "\udfff" for one in self.found):
-            self.fail("it holds what is no character")
+            self.fail("it has characters that cannot be kept")
 
     def number(self):
         if isinstance(self.found, bool) or not isinstance(self.found, (int, float)) or not abs(self.found) < 1e12:
