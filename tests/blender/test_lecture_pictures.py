@@ -80,7 +80,7 @@ def test_the_triangle_of_typed_knots_points_out_what_is_chosen():
     bpy.context.view_layer.update()
     assert "N_1,0 = 0" in labels_of(ob)
     for settings, message in (({'chosen': "7,2"}, "no function N_7,2"), ({'chosen': "a"}, "not a whole number"), ({'chosen': "1"}, "is not a function"),
-                              ({'spans': "9"}, "no span 9"), ({'knot_values': "0 x"}, "is not a number")):
+                              ({'spans': "9"}, "no span 9"), ({'spans': "²"}, "not a whole number"), ({'knot_values': "0 x"}, "is not a number")):
         with pytest.raises(RuntimeError, match=message):
             made('triangle', **{'degree': 2, 'knot_values': "0 1 2 3", 'chosen': "", 'spans': "", **settings})
 

@@ -109,6 +109,24 @@ def test_answers_are_kept_in_the_file(tmp_path):
     assert stage.step_of(scene) == 3 and stage.answers(scene) == {"3": {'answer': 1, 'right': True, 'tries': 2}}
 
 
+def test_a_number_is_kept_as_it_was_typed():
+    scene = started(LESSONS["bernstein"])
+    for _ in range(2):
+        step('NEXT')
+    scene.splinewright_answer = 0.1
+    bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True)
+    assert stage.answers(scene) == {"2": {'answer': 0.1, 'right': False, 'tries': 1}}
+
+
+def test_damaged_tries_count_as_none():
+    scene = started(LESSONS["corner-cutting"])
+    for _ in range(3):
+        step('NEXT')
+    scene[stage.ANSWERS] = '{"3": {"tries": "many"}}'
+    assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True, choice=1) == {'FINISHED'}
+    assert stage.answers(scene) == {"3": {'answer': 1, 'right': True, 'tries': 1}}
+
+
 def test_a_shape_that_is_gone_is_a_sentence_and_reset_brings_it_back():
     lesson = LESSONS["corner-cutting"]
     scene = started(lesson)

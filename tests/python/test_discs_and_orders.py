@@ -82,7 +82,7 @@ def test_points_keep_their_weights_and_curves_lie_beside_each_other():
 
 def test_typed_orders():
     assert orders.typed("0 2 1 3; 1023,", 4) == [(0, 2, 1, 3), (1, 0, 2, 3)] and orders.typed("  ", 4) == []
-    for text in ("0 1 2", "0 1 1 3", "0 1 2 4", "a b c d", "-1 0 1 2"):
+    for text in ("0 1 2", "0 1 1 3", "0 1 2 4", "a b c d", "-1 0 1 2", "0 ² 1 3", "0²13"):
         with pytest.raises(Refusal, match="is not an order of the points 0 to 3"):
             orders.typed(text, 4)
     found = orders.all_of(sc.BezierCurve(RANDOM.uniform(-1, 1, (6, 3))).to_nurbs())

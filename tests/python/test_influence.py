@@ -1,4 +1,4 @@
-"""What a control point moves: against curves and patches of which it was moved; and the draughtsman's spline with its energy."""
+"""What a control point moves: against curves and patches of which it was moved; and the draftsman's spline with its energy."""
 
 import numpy as np
 import pytest
@@ -161,6 +161,42 @@ def test_few_ducks_and_those_at_one_place():
         ducks.picture(points(1), 'chordal', 0.05, 0.0)
     with pytest.raises(sc.Error):
         ducks.picture(np.zeros((4, 3)), 'chordal', 0.05, 0.0)
+    with pytest.raises(Refusal, match="at one place"):
+        ducks.picture(np.zeros((2, 3)), 'chordal', 0.05, 0.0)
+
+
+@pytest.mark.parametrize('size', (1e-6, 1.0, 1e6, 1e100))
+@pytest.mark.parametrize('narrow', (1e-2, 1e-4, 1e-6))
+def test_the_energy_of_both_narrow_bends_counts(narrow, size):
+    """Of a strip there and almost back: half of the energy is on each side of the middle duck, as that is symmetrical."""
+    strip = ducks.strip(size * np.array([(0, 0, 0), (1, narrow / 2, 0), (0, narrow, 0)]), 'uniform')
+    middle = sum(strip.domain) / 2.0
+    whole = ducks.energy(strip)
+    parts = [ducks.energy(part) for part in strip.split(middle)]
+    assert parts == pytest.approx([whole / 2.0] * 2, rel=1e-6) and whole * size * narrow ** 2 == pytest.approx(16.0, rel=1e-2)
+
+
+def test_energy_of_many_ducks_is_that_of_all_spans():
+    strip = ducks.strip(points(9), 'uniform')
+    nodes, weights = np.polynomial.legendre.leggauss(30)
+    places = np.linspace(*strip.domain, 8 * 200 + 1)
+    u = (places[1:] + places[:-1])[:, None] / 2 + np.diff(places)[:, None] / 2 * nodes
+    _, first, second = strip.derivatives(u.ravel(), 2).transpose(1, 0, 2)
+    values = (np.cross(first, second) ** 2).sum(1) / (first ** 2).sum(1) ** 2.5
+    assert ducks.energy(strip) == pytest.approx((np.diff(places) / 2 * (values.reshape(u.shape) @ weights)).sum(), rel=1e-8)
+
+
+def test_a_strip_that_turns_back_has_no_finite_energy():
+    parts, energy = ducks.picture(np.array([(0.0, 0, 0), (1, 0, 0), (0, 0, 0)]), 'chordal', 0.05, 0.0)
+    assert energy == np.inf and parts[-1].name == "mark E = infinite"
+
+
+@pytest.mark.parametrize('offset', (0.0, 1e3, 1e6, 1e8))
+def test_the_energy_does_not_depend_on_the_place(offset):
+    places = points(6)
+    assert ducks.energy(ducks.strip(places + offset, 'chordal')) == pytest.approx(ducks.energy(ducks.strip(places, 'chordal')), rel=1e-5)
+    line = ducks.strip(np.linspace((0, 0, 0), (3, 0.3, 1), 5) + offset, 'chordal')
+    assert ducks.energy(line) < 1e-9
 
 
 def test_end_derivatives_and_typed_knots_of_interpolating_splines():

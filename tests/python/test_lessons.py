@@ -10,7 +10,7 @@ import splinecore as sc
 from addon_core import ADDON, core
 
 reading, measures, checking, facets = (core(f"lessons.{name}") for name in ('reading', 'measures', 'checking', 'facets'))
-failures = core("base.failures")
+failures, lessons = core("base.failures"), core("lessons.lesson")
 FILES = sorted((ADDON / "lessons").glob("*.json"))
 
 
@@ -68,6 +68,15 @@ LOOP = sc.BezierCurve([(0, 0, 0), (3, 2, 0), (-2, 2, 0), (1, 0, 0)])
 def test_measures_of_a_spline(kind, arguments, wanted):
     found = measures.measured(measures.Measure(kind, "curve", arguments), shown(curve=SPLINE))
     assert found == pytest.approx(wanted if kind != 'x' else SPLINE.evaluate(0.5)[0], abs=1e-12)
+
+
+def test_measures_of_curves_without_weights():
+    found = {kind: measures.measured(measures.Measure(kind, "curve", {'index': 1} if kind == 'weight' else {}), shown(curve=CORNER))
+             for kind in ('weight', 'arcs')}
+    assert found == {'weight': 1.0, 'arcs': 1}
+    for curve in (CURVE, CORNER):
+        with pytest.raises(failures.Refusal, match="no control point 9"):
+            measures.measured(measures.Measure('weight', "curve", {'index': 9}), shown(curve=curve))
 
 
 def test_other_measures():
@@ -154,6 +163,17 @@ def test_a_lesson_of_the_add_on_asks_and_its_pictures_have_numbers(path):
     assert all(step.wrong for step in lesson.steps if step.ask and step.ask.kind == 'do')
 
 
+@pytest.mark.parametrize('path', FILES, ids=lambda path: path.stem)
+def test_numbers_are_asked_of_shapes_as_the_step_says_them(path):
+    """A shape that a learner may have moved before is brought back."""
+    moved = set()
+    for number, step in enumerate(reading.read(path.read_text(encoding="utf-8")).steps, 1):
+        moved -= {one.shape for one in step.change}
+        if step.ask is not None and isinstance(step.ask.value, lessons.Measure):
+            assert step.ask.value.shape not in moved, f"step {number}"
+        moved |= {one.shape for one in step.move}
+
+
 def changed(*path, to):
     """The lesson with something else at a place; None as `to` takes it away."""
     other = copy.deepcopy(LESSON)
@@ -197,6 +217,17 @@ DO = ('steps', 1, 'ask', 'do', 0)
     (('steps', 3, 'ask'), {'point': [1.5], 'of': "curve"}, "a whole number from 0"),
     (('steps', 3, 'ask'), {'point': [1], 'of': "steps"}, "none can be picked"), (('steps', 3, 'ask'), {'point': [1], 'of': "no"}, "no shape 'no' yet"),
     ((*STEP, 'picture'), "lost.png", "step 1: 'picture' is not known"),
+    ((*STEP, 'watch', 0, 'values', 0, 'measure'), [], "a measure is expected"),
+    ((*STEP, 'watch', 0, 'values', 0, 'measure'), {}, "a measure is expected"),
+    ((*STEP, 'watch', 0, 'text'), "x = {10}", "stand for its values"),
+    ((*STEP, 'make', 0, 'value'), {'format': "splinecore", 'version': 1, 'items': []}, "make 1, value: it is not a curve or patch: value is an empty"),
+    (('title',), "Corner \ud800", "title: it has characters that cannot be kept"),
+    (('title',), "Corner\0Cutting", "title: it has characters that cannot be kept"),
+    ((*STEP, 'make', 1, 'set'), {'scheme': "\ud800"}, "set, scheme: it has characters that cannot be kept"),
+    ((*STEP, 'hint'), "Look.", "step 1: a hint needs a question"), ((*STEP, 'wrong'), [[]], "step 1: wrong answers need"),
+    ((*STEP, 'solution'), [{'shape': "steps", 'set': {'position': 0.1}}], "step 1: a solution needs"),
+    (('steps', 2, 'solution'), [{'shape': "steps", 'set': {'position': 0.1}}], "step 3: a solution needs"),
+    (('steps', 2, 'wrong'), [[{'shape': "steps", 'set': {'position': 0.1}}]], "step 3: wrong answers need"),
     (('steps', 0, 'text'), "x" * 3000, "at most 2,000 characters"), (('steps', 0, 'overlays'), ["labels"] * 100, "40 are the most")))
 def test_what_a_file_must_not_say_is_a_sentence_with_its_place(path, to, said):
     with pytest.raises(failures.Refusal, match=said.replace("(", r"\(")):
@@ -207,6 +238,34 @@ def test_what_a_file_must_not_say_is_a_sentence_with_its_place(path, to, said):
 def test_what_is_no_lesson_is_refused(text):
     with pytest.raises(failures.Refusal):
         reading.read(text)
+
+
+@pytest.mark.parametrize('depth, is_read', ((1, True), (8, True), (9, False), (300, False), (900, False)))
+def test_measures_of_measures_have_an_end(depth, is_read):
+    text = json.dumps(changed('steps', 3, 'ask', 'number', to="HERE")).replace(
+        '"HERE"', '{"measure": "x", "of": "curve", "at": ' * depth + "0.5" + "}" * depth)
+    if is_read:
+        assert reading.read(text).steps[3].ask.value.kind == 'x'
+        return
+    with pytest.raises(failures.Refusal, match="8 deep|JSON"):
+        reading.read(text)
+
+
+def test_a_name_that_is_there_twice_is_refused():
+    with pytest.raises(failures.Refusal, match="'title' is there twice"):
+        reading.read(json.dumps(LESSON)[:-1] + ', "title": "Another One"}')
+
+
+def test_what_is_wrong_is_said_briefly():
+    with pytest.raises(failures.Refusal) as found:
+        reading.read(json.dumps(changed('format', to=[1] * 500_000)))
+    assert len(str(found.value)) < 1100
+
+
+def test_eleven_values_are_watched_by_two_digits():
+    value = LESSON['steps'][0]['watch'][0]['values'][0]
+    watch = reading.read(json.dumps(changed('steps', 0, 'watch', 0, to={'text': "{0} {10}", 'values': [value] * 11}))).steps[0].watch[0]
+    assert checking.watched(watch, shown(0.25)) == "0.25 0.25"
 
 
 def test_random_damage_is_refused_or_read_never_anything_else():

@@ -17,7 +17,7 @@ NATIVE, ADDON = PROJECT / "native", PROJECT / "addon"
 BRITISH = (
     "colour", "neighbour", "behaviour", "favour", "honour", "centre(?!x)", "centring", "metre(?!x)", "fibre", "grey", "licence", "defence",
     "catalogue", "analyse", "artefact", "modell(?:ed|er|ing)", "labelled", "travell", "levelled", "mitre", "mould", "programme(?!d|r)",
-    "whilst", "amongst", "learnt", "spelt", "judgement", "ageing", "skilful", "fulfil(?!l)",
+    "draught", "whilst", "amongst", "learnt", "spelt", "judgement", "ageing", "skilful", "fulfil(?!l)",
     "(?:organ|recogn|optim|minim|maxim|normal|parametr|general|initial|special|summar|real|local|equal|symmetr|linear|discret|"
     "regular|serial|synchron|visual|util|character|factor|categor|custom)is(?:e|ed|es|ing|ation)(?![a-rt-z])",
 )

@@ -156,8 +156,8 @@ def answer(scene, lesson, given=None):
     number = step_of(scene)
     is_right = checking.is_right(lesson.steps[number].ask, shapes_of(scene), given)
     known = answers(scene)
-    tries = known.get(str(number), {}).get('tries', 0) + 1
-    known[str(number)] = {'answer': given, 'right': is_right, 'tries': tries}
+    tries = kept_answers.tries(known.get(str(number), {}))
+    known[str(number)] = {'answer': given, 'right': is_right, 'tries': tries + 1}
     scene[ANSWERS] = json.dumps(known)
     return is_right
 

@@ -21,7 +21,7 @@ def typed(text, count):
     found = []
     for part in filter(str.strip, text.replace(";", ",").split(",")):
         words = part.split() if " " in part.strip() else list(part.strip())
-        if not all(word.isdigit() for word in words) or sorted(map(int, words)) != list(range(count)):
+        if not all(word.isdecimal() for word in words) or sorted(map(int, words)) != list(range(count)):
             raise Refusal(f"\"{part.strip()}\" is not an order of the points 0 to {count - 1}")
         found.append(tuple(map(int, words)))
     if len(found) > MOST:

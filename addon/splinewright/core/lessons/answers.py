@@ -48,7 +48,7 @@ def merged(records):
         for name, given in record.items():
             known = found.setdefault(name, {})
             for step, answer in given.items():
-                if step not in known or _whole(answer.get('tries')) >= _whole(known[step].get('tries')):
+                if step not in known or tries(answer) >= tries(known[step]):
                     known[step] = answer
     return found
 
@@ -56,13 +56,15 @@ def merged(records):
 def rows(file, record, lessons):
     """The Rows of a record; lessons: {name: Lesson} of those that are known, whose choices are written as they read."""
     found = [Row(file, name, int(step) + 1, _in_words(answer.get('answer'), _ask(lessons.get(name), int(step))),
-                 answer.get('right') is True, _whole(answer.get('tries')))
+                 answer.get('right') is True, tries(answer))
              for name, given in record.items() for step, answer in given.items() if step.isdecimal() and len(step) < 7]
     return sorted(found)
 
 
-def _whole(value):
-    return value if type(value) is int else 0
+def tries(answer):
+    """How often it was tried; 0 where that is damaged."""
+    found = answer.get('tries')
+    return found if type(found) is int else 0
 
 
 def _ask(lesson, step):

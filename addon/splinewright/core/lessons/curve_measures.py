@@ -34,5 +34,5 @@ MEASURES = {
     'corners': ((), _corners),
     'area': ((), lambda curve: abs(curve.signed_area())),
     'eccentricity': ((), _eccentricity),
-    'arcs': ((), lambda curve: len(curve.finite_arcs(_FAR))),
+    'arcs': ((), lambda curve: len(curve.to_nurbs().finite_arcs(_FAR))),
 }

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from typing import NamedTuple
 
 #: Of the text of a Watch: the number of a value.
-VALUE = re.compile(r"\{(\d)\}")
+VALUE = re.compile(r"\{(\d+)\}")
 
 
 @dataclass(frozen=True)

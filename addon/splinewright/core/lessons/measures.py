@@ -50,7 +50,7 @@ def _curve(shown, piece):
 
 def _patches(shown, _piece):
     found = shown.value if isinstance(shown.value, (list, sc.PatchSet)) else [shown.value]
-    if not hasattr(found[0], 'domain') or not isinstance(found[0].domain[0], tuple):
+    if not len(found) or not hasattr(found[0], 'domain') or not isinstance(found[0].domain[0], tuple):
         raise Refusal("it is not a surface")
     return [found[i] for i in range(len(found))]
 
@@ -74,7 +74,8 @@ def _index(curve, index):
 
 
 def _weight(curve, index):
-    return 1.0 if curve.weights is None else curve.weights[_index(curve, index)]
+    number, weights = _index(curve, index), getattr(curve, 'weights', None)      # Hermite chains have none
+    return 1.0 if weights is None else weights[number]
 
 
 def _continuity(name):

@@ -5,14 +5,19 @@ import json
 from ..base.failures import Refusal
 from ..base.library import sc
 from ..recipes.table import RECIPES
+from ..shape import definition as definitions
+from . import places
 from .lesson import VALUE, Ask, Change, Condition, Lesson, Make, Measure, Move, Step, Watch
 from .measures import KINDS
+from .places import Place
 
 FORMAT = 1
-#: Most bytes of a file, steps of a lesson, entries of a list, characters of a text.
-MOST_BYTES, MOST_STEPS, MOST_ENTRIES, MOST_TEXT = 2_000_000, 60, 40, 2000
+#: Most bytes of a file, steps of a lesson, entries of a list.
+MOST_BYTES, MOST_STEPS, MOST_ENTRIES = 2_000_000, 60, places.MOST_ENTRIES
 #: Most faces of a span, each way.
 MOST_FACES = 100
+#: How deep measures of measures may go.
+_MOST_DEPTH = 8
 _VIEWS = ('TOP', 'FRONT', 'RIGHT', 'FREE')
 _RELATIONS = ('near', 'above', 'below')
 
@@ -22,57 +27,22 @@ def read(text):
     if len(text) > MOST_BYTES:
         raise Refusal(f"the file has more than {MOST_BYTES:,} characters")
     try:
-        found = json.loads(text)
+        found = json.loads(text, object_pairs_hook=_object)
+    except Refusal:
+        raise
     except (ValueError, RecursionError) as error:
         raise Refusal(f"it is not JSON: {error}") from None
-    return _lesson(_Place("lesson", found))
+    return _lesson(Place("lesson", found))
 
 
-class _Place:
-    """A part of a file, and where it is."""
-
-    def __init__(self, where, found):
-        self.where, self.found = where, found
-
-    def fail(self, what):
-        raise Refusal(f"{self.where}: {what}")
-
-    def fields(self, needed, optional=()):
-        """Of an object: {name: _Place} of the fields that are there."""
-        if not isinstance(self.found, dict):
-            self.fail("an object is expected")
-        for name in self.found:
-            if name not in needed and name not in optional:
-                self.fail(f"{name!r} is not known; there may be {', '.join((*needed, *optional))}")
-        for name in needed:
-            if name not in self.found:
-                self.fail(f"{name!r} is missing")
-        return {name: _Place(f"{self.where}, {name}", value) for name, value in self.found.items()}
-
-    def entries(self):
-        """Of a list: a _Place each."""
-        if not isinstance(self.found, list):
-            self.fail("a list is expected")
-        if len(self.found) > MOST_ENTRIES:
-            self.fail(f"there are {len(self.found)} entries: {MOST_ENTRIES} are the most")
-        return [_Place(f"{self.where} {i + 1}", value) for i, value in enumerate(self.found)]
-
-    def text(self, choices=()):
-        if not isinstance(self.found, str) or not self.found or len(self.found) > MOST_TEXT:
-            self.fail(f"a text of at most {MOST_TEXT:,} characters is expected")
-        if choices and self.found not in choices:
-            self.fail(f"{self.found!r} must be one of {', '.join(choices)}")
-        return self.found
-
-    def number(self):
-        if isinstance(self.found, bool) or not isinstance(self.found, (int, float)) or not abs(self.found) < 1e12:
-            self.fail("a number below 1e12 is expected")
-        return float(self.found)
-
-    def whole(self, least=0):
-        if isinstance(self.found, bool) or not isinstance(self.found, int) or not least <= self.found < 10**6:
-            self.fail(f"a whole number from {least} is expected")
-        return self.found
+def _object(pairs):
+    """Of an object of JSON; elsewhere the last of two values with one name would count."""
+    found = {}
+    for name, value in pairs:
+        if name in found:
+            raise Refusal(f"{name[:60]!r} is there twice in one object")
+        found[name] = value
+    return found
 
 
 def _lesson(place):
@@ -84,7 +54,7 @@ def _lesson(place):
         found['steps'].fail(f"a list of 1 to {MOST_STEPS} steps is expected")
     known, read_steps = {}, []
     for i, step in enumerate(steps):
-        read_steps.append(_step(_Place(f"step {i + 1}", step), known))
+        read_steps.append(_step(Place(f"step {i + 1}", step), known))
     lectures = tuple(one.text() for one in found['lectures'].entries()) if 'lectures' in found else ()
     return Lesson(found['name'].text(), found['title'].text(), lectures, tuple(read_steps))
 
@@ -103,9 +73,21 @@ def _step(place, known):
         found['hint'].text() if 'hint' in found else "",
         _changes(found.get('solution'), known),
         tuple(_changes(one, known) for one in _list(found, 'wrong')))
-    if step.ask is not None and step.ask.kind == 'do' and not step.solution:
-        place.fail("a deed needs a solution")
+    _check_help(place, step)
     return step
+
+
+def _check_help(place, step):
+    """Refuse what a learner would never see."""
+    kind = step.ask.kind if step.ask is not None else ""
+    if kind == 'do' and not step.solution:
+        place.fail("a deed needs a solution")
+    if step.hint and not kind:
+        place.fail("a hint needs a question")
+    if step.solution and kind not in ('do', 'number'):
+        place.fail("a solution needs a question for a deed or a number")
+    if step.wrong and kind != 'do':
+        place.fail("wrong answers need a question for a deed")
 
 
 def _list(found, name):
@@ -193,6 +175,9 @@ def _settings(place, recipe):
         place.fail("the shape has no recipe, so it has no settings")
     if not isinstance(place.found, dict):
         place.fail("an object is expected")
+    for name, value in place.found.items():
+        if isinstance(value, str):
+            Place(f"{place.where}, {name}", value).has_characters()
     try:
         return RECIPES[recipe].checked(place.found)
     except (Refusal, TypeError) as error:
@@ -202,8 +187,10 @@ def _settings(place, recipe):
 def _value(place):
     """A splinecore value, as splinecore.dumps() writes it."""
     try:
-        return sc.loads(json.dumps(place.found))
-    except (sc.Error, ValueError, TypeError) as error:
+        found = sc.loads(json.dumps(place.found))
+        definitions.from_value(found)
+        return found
+    except (sc.Error, ValueError, TypeError, RecursionError) as error:
         place.fail(f"it is not a curve or patch: {error}")
 
 
@@ -240,31 +227,33 @@ def _watch(place, known):
     return Watch(text, values)
 
 
-def _measure(place, known):
-    if not isinstance(place.found, dict) or place.found.get('measure') not in KINDS:
+def _measure(place, known, depth=0):
+    if not isinstance(place.found, dict) or place.found.get('measure') not in list(KINDS):
         place.fail(f"a measure is expected: {', '.join(KINDS)}")
+    if depth >= _MOST_DEPTH:
+        place.fail(f"measures of measures go {_MOST_DEPTH} deep at most")
     kind = place.found['measure']
     found = place.fields(('measure', 'of', *KINDS[kind].takes), ('piece',) if KINDS[kind].of == 'curve' else ())
     name = _shape(found['of'], known)
     arguments = {}
     for argument in found.keys() - {'measure', 'of'}:
-        arguments[argument] = _argument(argument, found[argument], name, known)
+        arguments[argument] = _argument(argument, found[argument], name, known, depth)
     return Measure(kind, name, arguments)
 
 
-def _argument(name, place, shape, known):
+def _argument(name, place, shape, known, depth):
     if name == 'to':
         return _shape(place, known)
     if name == 'name':
         return _setting(place, known[shape])
     if name in ('index', 'order', 'piece'):
         return place.whole(1 if name == 'piece' else 0)
-    return _quantity(place, known)
+    return _quantity(place, known, depth + 1)
 
 
-def _quantity(place, known):
+def _quantity(place, known, depth=0):
     """A number or a Measure."""
-    return _measure(place, known) if isinstance(place.found, dict) else place.number()
+    return _measure(place, known, depth) if isinstance(place.found, dict) else place.number()
 
 
 def _ask(place, known):

@@ -94,7 +94,7 @@ def _influence(inputs, piece, index, index_v, marker, above):
 
 def _ducks(points, spacing, marker, ends):
     parts, energy = ducks.picture(points, spacing, marker, ends)
-    return of_parts(parts, f"bending energy {energy:.4g}")
+    return of_parts(parts, f"bending energy {ducks.energy_text(energy)}")
 
 
 RECIPES = (
@@ -121,7 +121,7 @@ RECIPES = (
             Parameter("index_v", "Point Along V", "Of the control point of a patch, counted from 0", 1, 0, 100_000),
             _MARKER, Parameter("above", "Distance", "Parts of a surface are drawn so far from it, on both sides", 0.005, 0.0, unit='LENGTH'),
             PIECE), _influence, thickness=0.02, inputs=(wanted.CURVE_OR_SURFACE,)),
-    Recipe("ducks", "Spline with Ducks", "A strip held at points by weights, as draughtsmen have it: the natural spline, and its bending energy",
+    Recipe("ducks", "Spline with Ducks", "A strip held at points by weights, as draftsmen have it: the natural spline, and its bending energy",
            (replace(SPACING, name="spacing"), _MARKER, Parameter("ends", "Ends", "How far the strip reaches beyond the outer points, where it is straight", 0.3, 0.0,
                                         unit='LENGTH')), _ducks, WAVE, True, 24, thickness=0.01),
 )

@@ -95,7 +95,7 @@ def _pairs(text):
 
 def _whole(words):
     for word in words:
-        if not word.isdigit():
+        if not word.isdecimal():
             raise Refusal(f"\"{word}\" is not a whole number from 0")
     return [int(word) for word in words]
 

@@ -7,6 +7,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 from ...bridge.cage import net_object
 from ...bridge.lessons import shelf, stage
 from ...bridge.net import live, selection
+from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
 from .. import editing
 from ..ui_state import ui_state
@@ -111,7 +112,7 @@ class SPLINEWRIGHT_OT_check_answer(_OfAnswer, bpy.types.Operator):
         ask = lesson.steps[stage.step_of(scene)].ask
         if ask is None:
             return reports.cancelled(self, "This step asks nothing")
-        given = {'do': None, 'number': scene.splinewright_answer, 'choose': self.choice}.get(ask.kind)
+        given = {'do': None, 'number': decimals.typed(scene.splinewright_answer), 'choose': self.choice}.get(ask.kind)
         if ask.kind == 'point':
             held = net_of(context, ask.shape)
             given = picked_points(held) if held is not None else []
