@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
+from animated import curves_of
 from support import part, splinecore as sc, vertices
 
 api = part('api')
@@ -159,7 +160,7 @@ def test_scenes_at_other_frames_show_what_their_frame_says(other):
     for frame, x in ((1, 0.0), (11, 10.0)):
         profile.location.x = x
         profile.keyframe_insert('location', frame=frame)
-    profile.animation_data.action.fcurves[0].keyframe_points[0].interpolation = 'LINEAR'
+    curves_of(profile.animation_data.action)[0].keyframe_points[0].interpolation = 'LINEAR'
     made = api.extrude(profile)
     for ob in (profile, made):
         other.collection.objects.link(ob)

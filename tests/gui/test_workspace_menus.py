@@ -13,6 +13,8 @@ from window import View, empty_file, into_net, part, redrawn, run, save_picture,
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 HIGHEST = 500
+#: In pixels. Blender 4.3 shows other keys there while a menu is open.
+STATUS_BAR = 26
 
 
 def picture(name):
@@ -20,8 +22,8 @@ def picture(name):
 
 
 def height_of(before, after):
-    """Of what has changed between two pictures."""
-    rows = np.flatnonzero((before != after).any(axis=(1, 2)))
+    """Of what has changed between two pictures, above the status bar."""
+    rows = np.flatnonzero((before != after)[:-STATUS_BAR].any(axis=(1, 2)))
     return int(rows[-1] - rows[0] + 1) if len(rows) else 0
 
 

@@ -24,7 +24,7 @@ def rows_of(path, lessons):
 
 def _read(path):
     """(all answers as stage.all_answers(), {name: Lesson} of lessons that the file has with it)."""
-    with bpy.data.temp_data(filepath=str(path)) as data:
+    with bpy.data.temp_data() as data:
         with data.libraries.load(str(path)) as (there, wanted):
             wanted.scenes = list(there.scenes)
         scenes = [scene for scene in wanted.scenes if scene is not None]
