@@ -1,5 +1,7 @@
 """Lessons: every step of each is made, what is asked is wrong before and right after its solution, and leaving leaves nothing."""
 
+import json
+
 import bpy
 import numpy as np
 import pytest
@@ -154,3 +156,17 @@ def test_damaged_answers_are_none(damage):
     scene = started(LESSONS["corner-cutting"])
     scene[stage.ANSWERS] = damage
     assert stage.answers(scene) == {}
+
+
+def test_a_step_that_cannot_be_made_leaves_none_of_its_shapes():
+    value = {'format': 'splinecore', 'version': 1, 'kind': 'bezier_curve', 'points': [[0, 0, 0, 1], [1, 1, 0, 1]]}
+    refused = {'shape': "levels", 'recipe': 'construction', 'of': ["curve"], 'set': {'first_level': 5}}
+    steps = [{'text': "One.", 'make': [{'shape': "curve", 'value': value}]},
+             {'text': "Two.", 'make': [{'shape': "other", 'value': value}, refused]}]
+    made = shelf.read_text(json.dumps({'format': 1, 'name': "refused", 'title': "Refused", 'steps': steps}))
+    scene = stage.begin(made, bpy.context.scene)
+    before = scene_state()
+    for _ in range(2):
+        with pytest.raises(failures.Refusal, match="levels are 0 to 1"):
+            stage.advance(scene, made)
+        assert stage.step_of(scene) == 0 and list(stage.shapes_of(scene)) == ["curve"] and scene_state() == before

@@ -40,6 +40,18 @@ def test_motions_that_meet_the_equations_keep_the_continuity(degree, continuity,
         assert (found.c if continuity[0] == "C" else found.g) >= int(continuity[1])
 
 
+@pytest.mark.parametrize("factor", (2.0, 0.1, -1.0, -3.0))
+@pytest.mark.parametrize("continuity", ("G1", "G2"))
+def test_geometric_continuity_knows_no_common_factor_of_weights(continuity, factor):
+    """All weights of a curve times a number are the same curve."""
+    whole = sc.BezierCurve([(0, 0, 0), (1, 2, 0), (3, 2.5, 1), (4, 0, 0)], [1, 2, 0.5, 3]).to_nurbs()
+    first, second = whole.split(0.4)
+    other = sc.NurbsCurve(3, second.knots, second.points, factor * second.weights)
+    found, same = (build.joint_equations(*strips(first, each), continuity) for each in (other, second))
+    for one, two in zip(found[:, 0], same[:, 0]):
+        assert np.allclose(one / np.abs(one).max(), factor / abs(factor) * two / np.abs(two).max(), rtol=0, atol=1e-9)
+
+
 def test_there_are_none_where_it_does_not_hold():
     first, second = meeting(0, 3, True)
     for continuity in SMOOTHNESS[1:]:

@@ -16,14 +16,18 @@ _LECTURES = ((_ALL, "All Lectures", "Show all lessons, each at the first lecture
              *((f"L{number}", lectures.label_of(number), "Show the lessons that are about this lecture") for number in lectures.LECTURES))
 
 
-class SPLINEWRIGHT_PT_lessons(ClosedPanel, bpy.types.Panel):
-    bl_idname = "SPLINEWRIGHT_PT_lessons"
-    bl_label = "Lessons"
-    bl_order = 20
+class BesideLessons(ClosedPanel):
+    """In scenes that are not a lesson's."""
 
     @classmethod
     def poll(cls, context):
         return context.mode == 'OBJECT' and not stage.lesson_of(context.scene)
+
+
+class SPLINEWRIGHT_PT_lessons(BesideLessons, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_lessons"
+    bl_label = "Lessons"
+    bl_order = 20
 
     def draw(self, context):
         layout = self.layout

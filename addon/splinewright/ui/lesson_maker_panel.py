@@ -2,24 +2,20 @@
 
 import bpy
 
-from ..bridge.lessons import shelf, stage
+from ..bridge.lessons import shelf
 from ..core.base.failures import FAILURES, sentence
 from . import texts
-from .sub_panel import ClosedPanel
+from .lesson_list_panel import BesideLessons
 from .ui_state import ui_state
 
 #: Faults that are shown.
 _MOST = 6
 
 
-class SPLINEWRIGHT_PT_lesson_maker(ClosedPanel, bpy.types.Panel):
+class SPLINEWRIGHT_PT_lesson_maker(BesideLessons, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_lesson_maker"
     bl_label = "Make a Lesson"
     bl_order = 21
-
-    @classmethod
-    def poll(cls, context):
-        return context.mode == 'OBJECT' and not stage.lesson_of(context.scene)
 
     def draw(self, context):
         layout, scene = self.layout, context.scene

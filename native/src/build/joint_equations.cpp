@@ -96,13 +96,16 @@ class JointCondition {
  public:
   JointCondition(const EdgeLeg& first, const EdgeLeg& second, bool parametric) : first_(first), second_(second) {
     const std::size_t count = first.columns.size();
+    Ratio weights;
+    for (std::size_t i = 0; i < count; ++i) weights.add(second.columns[i][0].w, edge(i));
+    weights_ = parametric ? 1.0 : weights.value();
     Ratio k;
     for (std::size_t i = 0; i < count; ++i) k.add(second.derivative(i, 1), first.derivative(i, 1));
     k_ = parametric ? 1.0 : k.value();
     Ratio g;
     for (std::size_t i = 0; i < count; ++i) g.add(second.derivative(i, 1).w - k_ * first.derivative(i, 1).w, edge(i));
     g_ = g.value();
-    const auto rest = [&](std::size_t i) { return second.derivative(i, 2) - k_ * k_ * first.derivative(i, 2); };
+    const auto rest = [&](std::size_t i) { return second.derivative(i, 2) - bend() * first.derivative(i, 2); };
     Ratio m;
     for (std::size_t i = 0; i < count; ++i) m.add(rest(i), first.derivative(i, 1));
     m_ = parametric ? 2.0 * g_ * k_ : m.value();
@@ -114,7 +117,7 @@ class JointCondition {
   OfFirst of_first(int order) const {
     OfFirst found;
     for (int i = 0; i < 3; ++i) {
-      found.rows[i] = order == 1 ? k_ * first_.across[1][i] : k_ * k_ * first_.across[2][i] + m_ * first_.across[1][i];
+      found.rows[i] = order == 1 ? k_ * first_.across[1][i] : bend() * first_.across[2][i] + m_ * first_.across[1][i];
     }
     found.edge = order == 1 ? g_ : e_;
     return found;
@@ -137,7 +140,7 @@ class JointCondition {
       sums.push_back(sum);
     }
     const double most = kHolds * std::max({largest.x, largest.y, largest.z});
-    return k_ > 0.0 && std::ranges::all_of(sums, [&](const glm::dvec4& sum) {
+    return k_ / weights_ > 0.0 && std::ranges::all_of(sums, [&](const glm::dvec4& sum) {
       return std::abs(sum.x) <= most && std::abs(sum.y) <= most && std::abs(sum.z) <= most && std::abs(sum.w) <= kHolds * largest.w;
     });
   }
@@ -145,8 +148,11 @@ class JointCondition {
  private:
   double edge(std::size_t column) const { return first_.columns[column][0].w; }
 
+  double bend() const { return k_ * k_ / weights_; }
+
   const EdgeLeg& first_;
   const EdgeLeg& second_;
+  double weights_ = 1.0;  // at the edge, those of the second side by those of the first
   double k_ = 0.0;
   double g_ = 0.0;
   double m_ = 0.0;

@@ -66,11 +66,16 @@ def rebuild(scene, lesson, number):
 
 
 def advance(scene, lesson):
-    """Go to the next step with the shapes as they are. Raises as begin(), and stays then."""
+    """Go to the next step with the shapes as they are. Raises as begin(), and stays then, without the shapes of that step."""
     number = step_of(scene) + 1
     if number >= len(lesson.steps):
         raise Refusal("this is the last step")
-    _play(scene, lesson.steps[number])
+    known = set(scene.objects)
+    try:
+        _play(scene, lesson.steps[number])
+    except Exception:
+        _remove(scene, set(scene.objects) - known)
+        raise
     scene[STEP] = number
 
 
@@ -207,7 +212,11 @@ def remove(scene):
 
 
 def _clear(scene):
-    for ob in list(scene.collection.all_objects):
+    _remove(scene, list(scene.collection.all_objects))
+
+
+def _remove(scene, obs):
+    for ob in obs:
         if ob.users_scene == (scene,):
             data = ob.data
             bpy.data.objects.remove(ob)

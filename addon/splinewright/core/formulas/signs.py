@@ -77,8 +77,7 @@ def ratio(one, other):
 
 def polyline(points):
     """The curve of degree 1 through points."""
-    knots = np.concatenate([[0.0], np.arange(len(points)), [len(points) - 1.0]])
-    return sc.NurbsCurve(1, knots, points)
+    return sc.NurbsCurve(1, _knots(len(points)), points)
 
 
 def polygon(rows):
@@ -87,8 +86,11 @@ def polygon(rows):
     runs = np.flatnonzero(np.diff(np.concatenate([[0], is_leg, [0]])))
     for first, last in runs.reshape(-1, 2):
         row = rows[first:last + 1]
-        knots = np.concatenate([[0.0], np.arange(len(row)), [len(row) - 1.0]])
-        yield sc.NurbsCurve.from_homogeneous(1, knots, row)
+        yield sc.NurbsCurve.from_homogeneous(1, _knots(len(row)), row)
+
+
+def _knots(count):
+    return np.concatenate([[0.0], np.arange(count), [count - 1.0]])
 
 
 def place(row):

@@ -10,6 +10,7 @@ from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from ...bridge.data import blocks, store, versions
 from ...bridge.shape import shape
+from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal, sentence
 from ...core.base.library import sc
 from ...core.shape import definition as definitions
@@ -153,16 +154,11 @@ class _Export(ExportHelper):
         path, chosen = _path(self), _exported(context)
         if not self.filepath or path.is_dir():
             return reports.cancelled(self, "Name a file to write to")
-        # A file that is there stays whole until the new one is.
-        partial = path.with_name(path.name + ".part")
         name = chosen[0].name if len(chosen) == 1 else ""
         try:
             text, left_out = self.text({ob.name: self._value(ob) for ob in chosen})
-            partial.write_text(text, encoding='utf-8')
-            partial.replace(path)
+            whole_files.write(path, text)
         except FAILURES as error:
-            if partial.is_file():
-                partial.unlink()
             text = _printable(sentence(error))
             return reports.cancelled(self, reports.named(name, text) if name else text)
         count = len(chosen) - len(left_out)

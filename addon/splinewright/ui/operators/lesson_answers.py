@@ -7,6 +7,7 @@ from bpy.props import BoolProperty, CollectionProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from ...bridge.lessons import collecting, shelf
+from ...core.base import whole_files
 from ...core.base.failures import FAILURES, sentence
 from ...core.lessons import answers
 from .. import progress
@@ -45,7 +46,7 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
         if not rows:
             return reports.cancelled(self, *(refused or ["These files keep no answers"]))
         try:
-            _write(table, answers.table(rows))
+            whole_files.write(table, answers.table(rows), 'utf-8-sig')      # spreadsheets tell UTF-8 by its mark
         except OSError as error:
             return reports.failed(self, error, table.name)
         said = f"{len(rows)} answer{'s' if len(rows) > 1 else ''} of {len(paths) - len(refused) - len(empty)} files are in {table}"
@@ -74,16 +75,6 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
                     refused.append(sentence(error))
                 step(number)
         return rows, refused, empty
-
-
-def _write(path, text):
-    """A file that is there stays whole until the new one is. Raises OSError."""
-    partial = path.with_name(f"{path.name}.part")
-    try:
-        partial.write_text(text, encoding='utf-8-sig')      # spreadsheets tell UTF-8 by its mark
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 CLASSES = (SPLINEWRIGHT_OT_collect_answers,)

@@ -10,6 +10,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from ...bridge.lessons import authoring, shelf, stage, trial
 from ...bridge.shape import shape
+from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal
 from ...core.lessons import drafts, reading
 from ..ui_state import ui_state
@@ -220,12 +221,7 @@ class SPLINEWRIGHT_OT_export_lesson(_OnDraft, ExportHelper, bpy.types.Operator):
         path = Path(bpy.path.abspath(self.filepath))
         if not self.filepath or path.is_dir():
             raise Refusal("Name a file to write to")
-        partial = path.with_name(f"{path.name}.part")
-        try:
-            partial.write_text(drafts.text_of(draft), encoding='utf-8')
-            partial.replace(path)
-        finally:
-            partial.unlink(missing_ok=True)
+        whole_files.write(path, drafts.text_of(draft))
         ui_state.lesson_faults = tuple(trial.faults(lesson, scene, overlays(scene)))
         return reports.finished(self, reports.Report(f"Exported {path.name}", warnings=ui_state.lesson_faults))
 
