@@ -62,7 +62,7 @@ def _draw_watched(layout, scene, step):
     column = layout.box().column(align=True)
     for watch in step.watch:
         try:
-            column.label(text=checking.watched(watch, stage.shapes_of(scene)))
+            texts.draw_note(column, checking.watched(watch, stage.shapes_of(scene)), icon='NONE')
         except FAILURES as error:
             texts.draw_note(column, sentence(error))
 

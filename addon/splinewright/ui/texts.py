@@ -25,8 +25,10 @@ def draw_note(layout, text, width=None, icon='INFO'):
 
 
 def _draw_lines(column, text, icon, width):
+    """Lines below the first one stand beside its icon, if it has one."""
+    below = 'NONE' if icon == 'NONE' else 'BLANK1'
     for i, line in enumerate(textwrap.wrap(text, width or _fitting())):
-        column.label(text=line, icon=icon if i == 0 else 'BLANK1')
+        column.label(text=line, icon=icon if i == 0 else below)
 
 
 def lines(text):
