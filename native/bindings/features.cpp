@@ -55,7 +55,7 @@ py::array_t<double> rows_of(const Box& box) {
   return out;
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_feature_methods(const CurveClasses& cls) {
   cls.def("signed_curvature", [](const AnyCurve& self, const py::object& u, const py::object& normal,
                                  const py::object& side) { return signed_curvature(form(self), u, normal, side); },
           py::arg("u"), py::arg("normal") = py::none(), py::kw_only(), py::arg("side") = "right");
@@ -83,7 +83,7 @@ void bind_box(Owner cls) {
 }  // namespace
 
 void bind_features(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_feature_methods(CurveClasses(module));
   bind_box<AnyPatch>(PatchClasses(module));
   bind_box<PatchSet>(class_of<PatchSet>(module, "PatchSet"));
 }

@@ -79,7 +79,7 @@ std::vector<NurbsPatch> patches_of(const py::object& value) {
   return patches;
 }
 
-SideOfPatch side_of(const py::object& value) {
+SideOfPatch hole_side(const py::object& value) {
   const py::sequence pair = items_of(value, "a side must be a pair of the number of a patch and its side");
   if (py::len(pair) != 2) throw py::type_error("a side must be a pair of the number of a patch and its side");
   const int patch = integer(pair[0], "patch");
@@ -87,12 +87,12 @@ SideOfPatch side_of(const py::object& value) {
   return {static_cast<std::size_t>(patch), border_of(pair[1], "side")};
 }
 
-std::vector<OpenEnd> ends_of(const py::object& value) {
+std::vector<OpenEnd> open_ends(const py::object& value) {
   std::vector<OpenEnd> ends;
   for (const py::handle& item : items_of(value, "ends must be a list of lists of sides")) {
     OpenEnd& end = ends.emplace_back();
     for (const py::handle& side : items_of(py::reinterpret_borrow<py::object>(item), "an end must be a list of sides")) {
-      end.push_back(side_of(py::reinterpret_borrow<py::object>(side)));
+      end.push_back(hole_side(py::reinterpret_borrow<py::object>(side)));
     }
   }
   return ends;
@@ -127,7 +127,7 @@ void bind_rims(py::module_& build) {
               if (ends.is_none()) {
                 return wrap(unlocked([&] { return splinecore::capped(given, splinecore::open_ends(given)); }, cancel));
               }
-              const std::vector<OpenEnd> chosen = ends_of(ends);
+              const std::vector<OpenEnd> chosen = open_ends(ends);
               return wrap(unlocked([&] { return splinecore::capped(given, chosen); }, cancel));
             }, py::arg("patches"), py::arg("ends") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
 }

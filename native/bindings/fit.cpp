@@ -21,7 +21,7 @@ using splinecore::PointGrid;
 
 namespace {
 
-FitEnds ends_of(const py::object& value) {
+FitEnds fit_ends(const py::object& value) {
   return chosen<FitEnds>(value, "ends", {{"averaged", FitEnds::averaged}, {"natural", FitEnds::natural},
                                          {"not_a_knot", FitEnds::not_a_knot}});
 }
@@ -55,7 +55,7 @@ AnyApproximation interpolate(const py::object& points, const py::object& degree,
   InterpolationOptions options;
   options.degree = integer(degree, "degree");
   options.closing = boolean(closed, "closed") ? Closing::closed : Closing::open;
-  options.ends = ends_of(ends);
+  options.ends = fit_ends(ends);
   options.start = derivatives_of(start, "start");
   options.end = derivatives_of(end, "end");
   options.tangents = tangents_of(tangents, rows.size());
@@ -75,7 +75,7 @@ AnyApproximation interpolate_patch(const py::object& points, const py::object& d
   const auto both_parameters = both(parameters, "parameters");
   const auto direction = [&](Axis axis) {
     auto made = given_both.direction<FitDirection>(axis);
-    made.ends = ends_of(GridArguments::of(end, axis));
+    made.ends = fit_ends(GridArguments::of(end, axis));
     if (is_calm(GridArguments::of(both_parameters, axis))) made.parameters.clear();
     return made;
   };

@@ -60,7 +60,7 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   return out;
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_frame_methods(const CurveClasses& cls) {
   cls.def("frames", [](const AnyCurve& self, const py::object& u, const py::object& kind, const py::object& start,
                        const py::object& closed, const py::object& side, const py::object& cancel) {
             return frames(form(self), u, kind, start, closed, side, cancel);
@@ -72,7 +72,7 @@ void bind_curve(const CurveClasses& cls) {
 }  // namespace
 
 void bind_frames(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_frame_methods(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -89,7 +89,7 @@ Shape shape_of(const PatchSet& set, const Doubles& u, const Doubles& v) {
   return {static_cast<py::ssize_t>(set.patches().size()), u.size(), v.size(), 3};
 }
 
-std::span<const double> numbers(const Doubles& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
+std::span<const double> span_of(const Doubles& array) { return {array.data(), static_cast<std::size_t>(array.size())}; }
 
 void require_two_outputs(const Output& points, const Output& normals) {
   const bool are_one = py::module_::import("numpy").attr("may_share_memory")(points.array(), normals.array()).cast<bool>();
@@ -109,9 +109,9 @@ py::array grid(const Value& value, const py::object& at_u, const py::object& at_
   const auto count = static_cast<std::size_t>(output.array().size());
   unlocked_at(value, u, v, options, cancel, [&] {
     if (output.single()) {
-      splinecore::evaluate_grid(value, numbers(u), numbers(v), output.floats(0, count), options);
+      splinecore::evaluate_grid(value, span_of(u), span_of(v), output.floats(0, count), options);
     } else {
-      splinecore::evaluate_grid(value, numbers(u), numbers(v), output.doubles(0, count), options);
+      splinecore::evaluate_grid(value, span_of(u), span_of(v), output.doubles(0, count), options);
     }
   });
   return output.array();
@@ -132,10 +132,10 @@ py::tuple grid_with_normals(const Value& value, const py::object& at_u, const py
   const auto count = static_cast<std::size_t>(points.array().size());
   unlocked_at(value, u, v, options, cancel, [&] {
     if (points.single()) {
-      splinecore::evaluate_grid_with_normals(value, numbers(u), numbers(v), points.floats(0, count),
+      splinecore::evaluate_grid_with_normals(value, span_of(u), span_of(v), points.floats(0, count),
                                              normals.floats(0, count), options);
     } else {
-      splinecore::evaluate_grid_with_normals(value, numbers(u), numbers(v), points.doubles(0, count),
+      splinecore::evaluate_grid_with_normals(value, span_of(u), span_of(v), points.doubles(0, count),
                                              normals.doubles(0, count), options);
     }
   });

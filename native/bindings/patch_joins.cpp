@@ -14,7 +14,6 @@
 
 namespace bindings {
 
-using splinecore::AnyPatch;
 using splinecore::Axis;
 using splinecore::BezierPatch;
 using splinecore::Border;
@@ -36,8 +35,8 @@ struct JoinedPatches {
   bool reversed;
 };
 
-AnyPatch patch_of(const py::object& value, const char* name) {
-  std::optional<AnyPatch> patch;
+splinecore::AnyPatch patch_of(const py::object& value, const char* name) {
+  std::optional<splinecore::AnyPatch> patch;
   if (unwrap(value, patch)) return *patch;
   throw py::type_error(std::string(name) + " must be a patch, not " + type_name(value));
 }
@@ -50,9 +49,9 @@ py::object as_bezier(const NurbsPatch& patch) {
 JoinedPatches join_patches(const py::object& first, const py::object& first_side, const py::object& second,
                            const py::object& second_side, const py::object& continuity, const py::object& moves,
                            const py::object& reversed) {
-  const AnyPatch a = patch_of(first, "first");
+  const splinecore::AnyPatch a = patch_of(first, "first");
   const Border on_a = border_of(first_side, "first_side");
-  const AnyPatch b = patch_of(second, "second");
+  const splinecore::AnyPatch b = patch_of(second, "second");
   const Border on_b = border_of(second_side, "second_side");
   const PatchSmoothness smoothness = smoothness_of(continuity);
   const JoinMoves moved = moves_of(moves);
@@ -67,12 +66,12 @@ JoinedPatches join_patches(const py::object& first, const py::object& first_side
           join.reversed};
 }
 
-SeamContinuity seam_continuity(const AnyPatch& a, const py::object& first_side, const py::object& second,
+SeamContinuity seam_continuity(const splinecore::AnyPatch& a, const py::object& first_side, const py::object& second,
                                const char* second_name, const char* first_side_name, const py::object& second_side,
                                const char* second_side_name, const py::object& tolerance,
                                const py::object& parameters, const py::object& reversed) {
   const Border on_a = border_of(first_side, first_side_name);
-  const AnyPatch b = patch_of(second, second_name);
+  const splinecore::AnyPatch b = patch_of(second, second_name);
   const Border on_b = border_of(second_side, second_side_name);
   const double most = real(tolerance, "tolerance");
   const std::optional<bool> against = optional_boolean(reversed, "reversed");
@@ -139,7 +138,7 @@ void bind_continuity_to(const py::module_& module, const char* name) {
   cls.def("continuity_to", [](const Patch& self, const py::object& side, const py::object& other,
                               const py::object& other_side, const py::object& tolerance,
                               const py::object& reversed) {
-            return seam_continuity(AnyPatch(self), side, other, "other", "side", other_side, "other_side", tolerance,
+            return seam_continuity(splinecore::AnyPatch(self), side, other, "other", "side", other_side, "other_side", tolerance,
                                    py::none(), reversed);
           }, py::arg("side"), py::arg("other"), py::arg("other_side"),
           py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("reversed") = py::none());

@@ -4,6 +4,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "classes.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "splinecore/patch/degree.hpp"
 #include "splinecore/patch/distance.hpp"
@@ -33,15 +34,12 @@ const NurbsPatch& carrier(const NurbsPatch& patch) { return patch; }
 const NurbsPatch& carrier(const HermitePatch& patch) { return patch.nurbs(); }
 const BezierPatch& carrier(const BezierPatch& patch) { return patch; }
 
-const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
-const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
-
 template <class Patch>
 void bind_curves_of(Class<Patch>& cls) {
   cls.def("isocurve", [](const Patch& self, const py::object& axis, const py::object& at) {
             const Axis direction = axis_of(axis);
             const auto& patch = carrier(self);
-            const double place = parameter_of(at, "at", form(patch), direction);
+            const double place = parameter_of(at, "at", patch_form(patch), direction);
             return unlocked([&] { return splinecore::isocurve(patch, direction, place); });
           }, py::arg("axis"), py::arg("at"));
   cls.def("boundary", [](const Patch& self, const py::object& side) {

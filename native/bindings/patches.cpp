@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 #include "arrays.hpp"
 #include "classes.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "patch_verbs.hpp"
 #include "rooms.hpp"
@@ -21,9 +22,6 @@ using splinecore::KnotVector;
 using splinecore::NurbsPatch;
 
 namespace {
-
-const NurbsPatch& form(const NurbsPatch& patch) { return patch; }
-const NurbsPatch& form(const BezierPatch& patch) { return patch.nurbs(); }
 
 Shape net_shape(const NurbsPatch& patch) { return {patch.count(Axis::u), patch.count(Axis::v)}; }
 
@@ -49,15 +47,15 @@ void bind_parts(Class<Patch>& cls) {
 template <class Patch>
 void bind_points(Class<Patch>& cls) {
   cls.def_property_readonly("points", [](const py::object& self) {
-    const auto& patch = form(py::cast<const Patch&>(self));
+    const auto& patch = patch_form(py::cast<const Patch&>(self));
     return view_of_points(patch.points(), net_shape(patch), self);
   });
   cls.def_property_readonly("weights", [](const py::object& self) {
-    const auto& patch = form(py::cast<const Patch&>(self));
+    const auto& patch = patch_form(py::cast<const Patch&>(self));
     return view_of_weights(patch.points(), net_shape(patch), self);
   });
   cls.def_property_readonly("homogeneous_points", [](const Patch& self) {
-    return homogeneous_array(form(self).points(), net_shape(form(self)));
+    return homogeneous_array(patch_form(self).points(), net_shape(patch_form(self)));
   });
 }
 

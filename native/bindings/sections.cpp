@@ -79,7 +79,7 @@ py::array_t<double> parameters_of(const Sections& found) {
   return out;
 }
 
-void bind_patch(const PatchClasses& cls) {
+void bind_section_methods(const PatchClasses& cls) {
   cls.def("sections", [](const AnyPatch& self, const py::object& other, const py::object& tolerance, const py::object& cancel) {
             const NurbsPatch& with = any_patch(other, "other");
             const auto most = tolerance_of(tolerance);
@@ -96,7 +96,7 @@ void bind_patch(const PatchClasses& cls) {
           py::arg("cancel") = py::none());
 }
 
-void bind_result(py::module_& module) {
+void bind_section_result(py::module_& module) {
   Class<Sections> cls(module, "Sections", py::module_local());
   seal(cls);
   pickle_members(cls, &Sections::curves, &Sections::points, &Sections::are_one);
@@ -116,8 +116,8 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_sections(py::module_& module) {
-  bind_result(module);
-  bind_patch(PatchClasses(module));
+  bind_section_result(module);
+  bind_section_methods(PatchClasses(module));
 }
 
 }  // namespace bindings

@@ -61,7 +61,7 @@ void bind_curve(const CurveClasses& cls) {
           py::arg("point"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
 }
 
-void bind_patch(const PatchClasses& cls) {
+void bind_stationary_methods(const PatchClasses& cls) {
   cls.def("stationary_points", [](const AnyPatch& self, const py::object& point, const py::object& cancel) {
             return stationary_points(patch_form(self), point, cancel);
           },
@@ -73,7 +73,7 @@ void bind_patch(const PatchClasses& cls) {
           py::arg("point"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
 }
 
-void bind_result(py::module_& module) {
+void bind_stationary_result(py::module_& module) {
   Class<StationaryPoints> cls(module, "StationaryPoints", py::module_local());
   seal(cls);
   pickle_members(cls, &StationaryPoints::places, &StationaryPoints::kinds);
@@ -89,9 +89,9 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_stationary(py::module_& module) {
-  bind_result(module);
+  bind_stationary_result(module);
   bind_curve(CurveClasses(module));
-  bind_patch(PatchClasses(module));
+  bind_stationary_methods(PatchClasses(module));
 }
 
 }  // namespace bindings

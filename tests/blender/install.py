@@ -12,4 +12,7 @@ else:
     bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
     if addon_utils.enable('splinewright', default_set=True, persistent=True) is None:
         sys.exit("the add-on could not be enabled")
+library = next(module for name, module in sys.modules.items() if name.endswith('splinewright.core.base.library'))
+if library.problem:
+    sys.exit(library.problem)
 bpy.ops.wm.save_userpref()

@@ -75,3 +75,8 @@ def test_a_module_of_a_newer_linux_says_what_it_needs(site, symbol, words):
     (site / "splinecore/__init__.py").write_text(
         f"raise ImportError(\"/lib/libc.so.6: version `{symbol}' not found (required by _splinecore.so)\")")
     assert words in said(site) and "does not load" not in said(site)
+
+
+def test_a_blender_without_numpy_says_what_to_install(site):
+    (site / "numpy.py").write_text("raise ModuleNotFoundError(\"No module named 'numpy'\", name='numpy')")
+    assert "needs NumPy" in said(site) and "python3-numpy" in said(site) and "does not load" not in said(site)

@@ -1,9 +1,12 @@
 """What the README shows must run, and what it and the manual's page on scripting name must be there."""
 
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 PROJECT = Path(__file__).resolve().parents[2]
 README = (PROJECT / "README.md").read_text()
@@ -66,4 +69,14 @@ def test_a_zip_alone_compiles_no_tests():
     script = (PROJECT / "run").read_text()
     alone = re.search(r"^build_zip_alone\(\) \{\n(.*?)^\}", script, re.M | re.S)[1]
     assert "-DSPLINEWRIGHT_TESTS=OFF" in alone and "SPLINECORE_PRECOMPILED=ON" in alone
-    assert re.search(r"^do_demo\(\) \{\n  build_zip_alone ", script, re.M) and "  zip) build_zip_alone" in script
+    assert re.search(r"^do_demo\(\) \{\n  build_zip_alone \"\$\{blender_packages", script, re.M) and "  zip) build_zip_alone" in script
+
+
+def test_the_packages_of_the_demo_hold_what_the_addon_imports():
+    script = (PROJECT / "run").read_text()
+    named = " ".join(re.search(rf"^{name}=\((.*?)\)$", script, re.M | re.S)[1] for name in ("zip_packages", "blender_packages"))
+    if shutil.which("apt-cache") is None:
+        pytest.skip("apt-cache is not here: which packages depend on which is not known")
+    closure = subprocess.run(["apt-cache", "depends", "--recurse", "--no-recommends", "--no-suggests", "--no-conflicts", "--no-breaks",
+                              "--no-replaces", "--no-enhances", *named.split()], capture_output=True, text=True, check=True).stdout
+    assert {"python3-numpy", "blender", "g++"} <= set(re.findall(r"^\S+", closure, re.M))

@@ -49,6 +49,9 @@ def _load():
             return None, f"Splinewright's native module for Python {python} {damage}. {cure}"
         library = importlib.import_module(name, __package__)
     except (ImportError, OSError, ValueError) as error:
+        if isinstance(error, ImportError) and error.name == "numpy":
+            return None, ("Splinewright needs NumPy, which this Blender's Python does not have. Install it, for example by "
+                          "sudo apt install python3-numpy on Debian and Ubuntu, then restart Blender")
         newer = re.search(r"version `(GLIBC|GLIBCXX)_([\d.]+)' not found", str(error))
         if newer:
             system = {"GLIBC": "glibc", "GLIBCXX": "a libstdc++ with GLIBCXX"}[newer[1]]
