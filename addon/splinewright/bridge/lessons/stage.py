@@ -82,7 +82,7 @@ def advance(scene, lesson):
 
 
 def _select(scene, lesson):
-    """Let what the step speaks of be selected, and what is moved be active. Shapes that a learner removed are left out."""
+    """Let what the step speaks of be selected, and the shape to be moved be active. Shapes that a learner removed are left out."""
     names = words.spoken_of(lesson.steps[:step_of(scene) + 1])
     shown = {str(ob[SHAPE]): ob for ob in scene.view_layers[0].objects if SHAPE in ob.keys()}
     for ob in scene.view_layers[0].objects:

@@ -52,7 +52,7 @@ def _away(curve, to):
     """Which part of its length lies off another curve."""
     places = curve.evaluate(np.linspace(*curve.domain, _PLACES))
     lengths = np.linalg.norm(np.diff(places, axis=0), axis=1)
-    if not lengths.sum() > 0.0:
+    if not lengths.sum() > 1e-12 * np.abs(places).max():
         raise Refusal("the curve has no length")
     is_off = np.linalg.norm(to.nearest(places).points - places, axis=1) > _OFF * np.ptp(places, axis=0).max()
     return (is_off[:-1] & is_off[1:]) @ lengths / lengths.sum()

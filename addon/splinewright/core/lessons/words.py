@@ -5,7 +5,7 @@ from .measures import measured
 
 
 def spoken_of(steps):
-    """Names of the shapes that the last of some steps speaks of, or one before it where that names none: what is moved first."""
+    """Names of the shapes that the last of some steps speaks of, or one before it where that names none: those to be moved first."""
     return next((found for step in reversed(steps) if (found := _of_step(step))), ())
 
 
