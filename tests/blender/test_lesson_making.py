@@ -128,10 +128,30 @@ def test_what_numbers_make_is_made_by_the_same_numbers(name):
 def test_a_recipe_that_a_lesson_cannot_hold_is_kept_as_a_value_and_that_is_said():
     op(bpy.ops.splinewright.add_circle)
     ob = bpy.context.object
-    ob.location.x = 2
+    ob.rotation_euler.x = 1
     assert new(ob).steps[0].make[0].recipe == ""
     assert making.kept_as_values(part('bridge.lessons.authoring').present([ob], {ob: "it"}, part('bridge.lessons.authoring').graph())) == (
-        "it is kept as it is: it was moved, turned or scaled",)
+        "it is kept as it is: it was turned or scaled",)
+
+
+def test_points_faces_and_places_are_kept_and_lead_back():
+    op(bpy.ops.splinewright.add_ducks)
+    strip = bpy.context.object
+    part('bridge.shape.recipe_edit').set_points(strip.data, [(0, 0, 0), (1, 2, 0), (3, 0, 0)])
+    strip.location = (1, 2, 3)
+    op(bpy.ops.splinewright.add_torus)
+    torus = bpy.context.object
+    part('bridge.data.settings').set_count(torus.data, 3, 5)
+    made = {one.recipe: one for one in new(strip, torus).steps[0].make}
+    assert made['ducks'].points == ((0, 0, 0), (1, 2, 0), (3, 0, 0)) and made['ducks'].place == (1, 2, 3) and made['torus'].faces == (3, 5)
+    wanted = {name: sc.dumps(shape.value_of(ob.data)) for ob, name in part('bridge.lessons.authoring').known(bpy.context.scene).items()}
+    scene = stage.begin(lesson(), bpy.context.scene)
+    assert {name: sc.dumps(one.value) for name, one in stage.shapes_of(scene).items()} == wanted
+    assert tuple(stage.object_of(scene, made['ducks'].shape).location) == (1, 2, 3)
+    stage.remove(scene)
+    part('bridge.shape.recipe_edit').set_points(strip.data, [(0, 0, 0), (1, 1, 0), (3, 0, 0)])
+    change, = add_step().change
+    assert change.points == ((0, 0, 0), (1, 1, 0), (3, 0, 0))
 
 
 def test_what_is_made_from_strangers_is_kept_as_a_value():

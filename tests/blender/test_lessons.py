@@ -6,11 +6,12 @@ import bpy
 import numpy as np
 import pytest
 
+from layouts import drawn_by
 from shapes import add
 from support import part, scene_state, splinecore as sc
 
-shelf, stage, failures, lessons, panel = (part(name) for name in (
-    'bridge.lessons.shelf', 'bridge.lessons.stage', 'core.base.failures', 'ui.operators.lessons', 'ui.lessons_panel'))
+shelf, stage, failures, lessons, panel, start = (part(name) for name in (
+    'bridge.lessons.shelf', 'bridge.lessons.stage', 'core.base.failures', 'ui.operators.lessons', 'ui.lessons_panel', 'ui.start_panel'))
 LESSONS = shelf.all_lessons()
 
 
@@ -46,6 +47,15 @@ def test_every_step_is_made_and_every_question_has_its_answer(lesson):
             for wrong in each.wrong:
                 stage.change(scene, wrong)
                 assert not stage.answer(scene, lesson)
+            assert bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True) == {'FINISHED'}
+            assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True) == {'FINISHED'}
+            assert stage.answers(scene)[str(number)]['right']
+        elif each.ask is not None and each.ask.kind == 'number':
+            assert bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True) == {'FINISHED'}
+            said = float(lessons.shown_answer(scene).removeprefix("The answer is ").split(" ")[0].rstrip("."))
+            assert stage.answer(scene, lesson, said) and not stage.answer(scene, lesson, said + 3 * each.ask.within)
+        elif each.ask is not None and each.ask.kind == 'point':
+            bpy.ops.splinewright.pick_answer('EXEC_DEFAULT', True)
             assert bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True) == {'FINISHED'}
             assert bpy.ops.splinewright.check_answer('EXEC_DEFAULT', True) == {'FINISHED'}
             assert stage.answers(scene)[str(number)]['right']
@@ -96,6 +106,53 @@ def test_a_kept_scene_is_an_ordinary_one(lesson):
     bpy.ops.splinewright.leave_lesson('EXEC_DEFAULT', True, how='KEEP')
     assert bpy.context.scene == scene and not stage.lesson_of(scene) and stage.SHAPE not in scene.objects[0].keys()
     assert not bpy.ops.splinewright.check_answer.poll() and not panel.SPLINEWRIGHT_PT_lesson.poll(bpy.context)
+
+
+def test_a_step_selects_what_it_speaks_of():
+    scene = started(LESSONS["local-control"])
+    layer = scene.view_layers[0]
+
+    def selected():
+        return {ob[stage.SHAPE] for ob in scene.objects if ob.select_get(view_layer=layer)}
+    assert selected() == {"whole", "moved", "vase"} and layer.objects.active[stage.SHAPE] == "whole"
+    assert bpy.ops.splinewright.edit_net.poll() and start.SPLINEWRIGHT_PT_start.poll(bpy.context)
+    step('NEXT')
+    step('NEXT')
+    assert layer.objects.active[stage.SHAPE] == "upper" and "lower" in selected() and "whole" not in selected()
+    step('BACK')
+    assert selected() == {"whole"} and layer.objects.active[stage.SHAPE] == "whole"
+    assert bpy.ops.splinewright.edit_net('EXEC_DEFAULT', True) == {'FINISHED'} and bpy.context.mode.startswith('EDIT')
+
+
+def test_the_panel_for_nothing_selected_stays_away_from_lessons():
+    assert start.SPLINEWRIGHT_PT_start.poll(bpy.context)
+    started(LESSONS["draftsman"])
+    bpy.ops.object.select_all(action='DESELECT')
+    assert not start.SPLINEWRIGHT_PT_start.poll(bpy.context)
+    bpy.ops.splinewright.leave_lesson('EXEC_DEFAULT', True)
+    assert start.SPLINEWRIGHT_PT_start.poll(bpy.context)
+
+
+@pytest.mark.parametrize('name, number, said', (
+    ("draftsman", 1, "The solution is made: energy of strip is 0.2447"), ("draftsman", 2, "The answer is 0. A straight line has the curvature 0"),
+    ("draftsman", 3, "The answer is: the place, the tangent and the curvature. C2 means"), ("patches", 1, "The point is 6, counted from 0. B")))
+def test_show_me_says_the_answer_with_its_hint(name, number, said):
+    scene = started(LESSONS[name])
+    for _ in range(number):
+        step('NEXT')
+    assert lessons.shown_answer(scene) == ""
+    assert bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True) == {'FINISHED'}
+    texts = drawn_by(panel.SPLINEWRIGHT_PT_lesson, bpy.context).texts
+    assert lessons.shown_answer(scene).startswith(said) and said[:20] in " ".join(texts)
+    assert lessons.shown_answer(scene).endswith(LESSONS[name].steps[number].hint)
+    step('BACK')
+    assert lessons.shown_answer(scene) == ""
+
+
+def test_a_step_that_asks_nothing_has_nothing_to_show():
+    started(LESSONS["draftsman"])
+    with pytest.raises(RuntimeError, match="This step asks nothing"):
+        bpy.ops.splinewright.show_solution('EXEC_DEFAULT', True)
 
 
 def test_answers_are_kept_in_the_file(tmp_path):

@@ -48,7 +48,7 @@ ROOMS_WITHIN = {
         'rounding': {'base', 'joints', 'verbs'},
         'surfaces': {'base', 'joints', 'meets', 'shape', 'verbs'},
         'recipes': {'base', 'deform', 'drawing', 'formulas', 'joints', 'meets', 'rounding', 'shape', 'surfaces', 'verbs'},
-        'lessons': {'base', 'joints', 'recipes', 'shape'},
+        'lessons': {'base', 'formulas', 'joints', 'recipes', 'shape'},
     },
     'bridge': {
         'data': set(),

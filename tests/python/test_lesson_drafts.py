@@ -69,6 +69,32 @@ def test_questions_replace_each_other_and_conditions_add_up():
     assert last.ask.points == {1} and not last.solution and len(draft['steps']) == 1
 
 
+STRIP = drafts.Present("ducks", (), {'ends': 0.5}, CURVE, "", ((0.0, 0.0, 0.0), (1.0, 0.25, 0.0), (2.0, 0.0, 0.0)), (), (0.0, 1.5, 0.0))
+SHEET = drafts.Present("plane", (), {'width': 2.0}, sc.BezierPatch([[(u, v, 0) for v in (0, 1)] for u in (0, 1)]), "", (), (3, 7), (1.0, 0.0, 0.0))
+
+
+def test_points_faces_and_places_read_back_and_their_changes_are_found():
+    draft = drafts.begun("A", drafts.step("x", [drafts.make("strip", STRIP), drafts.make("sheet", SHEET)]))
+    known = drafts.state_of(lesson_of(draft))
+    assert [known[name]._replace(value=None) for name in ("strip", "sheet")] == [one._replace(value=None) for one in (STRIP, SHEET)]
+    assert drafts.changes(known, {'strip': STRIP, 'sheet': SHEET}) == []
+    now = {'strip': STRIP._replace(points=(*STRIP.points[:2], (3.0, 0.0, 0.0))), 'sheet': SHEET._replace(faces=(4, 7))}
+    found = drafts.changes(known, now)
+    assert found == [{'shape': "strip", 'points': [[0, 0, 0], [1, 0.25, 0], [3, 0, 0]]}, {'shape': "sheet", 'faces': [4, 7]}]
+    assert drafts.moves(known, now, found) == [{'shape': "strip", 'points': [2]}]
+    draft['steps'].append(drafts.step("y", (), found))
+    after = drafts.state_of(lesson_of(draft))
+    assert (after['strip'].points, after['sheet'].faces) == (now['strip'].points, (4, 7)) and drafts.changes(after, now) == []
+
+
+def test_points_that_are_back_at_the_start_are_said_and_a_shape_that_was_moved_is_refused():
+    known = {'strip': STRIP}
+    said, = drafts.changes(known, {'strip': STRIP._replace(points=())})
+    assert said['points'][0] == [-1, 0, 0] and len(said['points']) == 5
+    with pytest.raises(failures.Refusal, match="strip was moved: a step can change"):
+        drafts.changes(known, {'strip': STRIP._replace(place=(0.0, 2.0, 0.0))})
+
+
 @pytest.mark.parametrize('title', ("", "???", "- _"))
 def test_a_title_without_letters_is_refused(title):
     with pytest.raises(failures.Refusal, match="a letter or a digit"):

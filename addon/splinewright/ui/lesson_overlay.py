@@ -34,6 +34,7 @@ def draw():
     lines += [(line, _TEXT) for line in wrapped(lesson.steps[number].text, room, lambda text: blf.dimensions(0, text)[0])]
     if ui_state.lesson_word and str(number) in stage.answers(scene):
         lines.append((ui_state.lesson_word, _RIGHT if stage.answers(scene)[str(number)].get('right') else _TITLE))
+    lines += [(line, _RIGHT) for line in wrapped(lessons.shown_answer(scene), room, lambda text: blf.dimensions(0, text)[0])]
     _draw_lines(lines, left + _MARGIN * scale, _top(context, scale), scale)
 
 

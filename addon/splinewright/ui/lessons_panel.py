@@ -81,9 +81,11 @@ def _draw_question(layout, scene, step, number):
     known = stage.answers(scene).get(str(number))
     if known and ui_state.lesson_word:
         box.label(text=ui_state.lesson_word, icon='CHECKMARK' if known.get('right') else 'CANCEL')
-        if not known.get('right') and step.hint:
+        if not known.get('right') and step.hint and not lessons.shown_answer(scene):
             texts.draw_note(box, step.hint, icon='LIGHT')
     box.operator("splinewright.show_solution")
+    if lessons.shown_answer(scene):
+        texts.draw_note(box, lessons.shown_answer(scene), icon='LIGHT')
 
 
 def _draw_end(layout):

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..bridge.lessons import stage
 from . import editing, menu_table, menus, object_kinds, offered, texts
 from .operators import add_sample
 
@@ -51,6 +52,11 @@ def menus_for(obs):
     return made + ([("Surface from Surfaces", menu_table.FROM_SURFACES)] if surfaces else [])
 
 
+def _is_empty(context):
+    """Whether nothing is selected that something can be made of."""
+    return context.mode == 'OBJECT' and not groups(context.selected_objects, context.object) and not menus_for(context.selected_objects)
+
+
 class SPLINEWRIGHT_PT_start(bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_start"
     bl_label = "Make"
@@ -61,7 +67,7 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        return not editing.nets_in_edit_mode(context)
+        return not editing.nets_in_edit_mode(context) and not (stage.lesson_of(context.scene) and _is_empty(context))
 
     def draw(self, context):
         layout = self.layout

@@ -28,6 +28,7 @@ class UiState:
     finishing: object = None                            # the finishing.Finishing that goes on, listening to Esc
     is_unawaited: bool = False                          # whether no script waits for what Blender is asked to look for
     lesson_word: str = ""                               # whether the last answer of a lesson was right, in words
+    lesson_shown: tuple = ()                            # what Show Me said last: the name of a lesson, the number of a step, the text
     lesson_faults: tuple = ()                           # what is wrong with the lesson that is made, as it was checked last
     lesson_items: tuple = ()                            # of lesson_questions: texts of a menu, which Blender needs to live on
     to_say: list = field(default_factory=list)          # sentences for a window, where no operator can report them

@@ -4,12 +4,13 @@ import bpy
 import numpy as np
 
 from ...core.base.failures import Refusal
+from ...core.lessons import reading
 from ...core.lessons.drafts import Present
 from ...core.lessons.measures import Shown
 from ...core.recipes.table import RECIPES
 from ...core.shape import definition as definitions
 from ...core.shape import transform
-from ..data import store
+from ..data import settings, store
 from ..recipes import placing, recipes
 from ..shape import shape
 from .stage import SHAPE
@@ -48,17 +49,40 @@ def present(obs, names, depsgraph):
 def _present(ob, names, depsgraph):
     if shape.is_touched(ob.data):
         raise Refusal(f"{ob.name} was changed by hand: Restore it first")
-    stored = recipes.read(ob.data)
-    value = _in_world(ob, depsgraph)
+    stored, faces = recipes.read(ob.data), _faces(ob.data)
     why = _why_value(ob, stored, names, depsgraph) if stored else ""
     if stored is None or why:
-        return Present("", (), {}, value, why)
-    return Present(stored.recipe.kind, tuple(names[source] for source in stored.sources), dict(stored.values), value)
+        return Present("", (), {}, _around(ob, np.zeros(3), depsgraph), why, faces=faces)
+    place, points = _place(ob, names, depsgraph), () if stored.sources or _starts(stored) else tuple(map(tuple, stored.points.tolist()))
+    return Present(stored.recipe.kind, tuple(names[source] for source in stored.sources), dict(stored.values), _around(ob, place, depsgraph),
+                   points=points, faces=faces, place=(0.0, 0.0, 0.0) if stored.sources else tuple(place.tolist()))
 
 
-def _in_world(ob, depsgraph):
+def _around(ob, place, depsgraph):
+    """The value of a shape, around a place in the world."""
     definition, matrix = store.read(ob.data), placing.world(ob, depsgraph)
+    matrix[:3, 3] -= place
     return definitions.to_value(definition if np.array_equal(matrix, np.eye(4)) else transform.transformed(definition, matrix))
+
+
+def _place(ob, names, depsgraph):
+    """(3,): where a lesson puts the object of a shape."""
+    stored = recipes.read(ob.data)
+    if stored is None or _why_value(ob, stored, names, depsgraph):
+        return np.zeros(3)
+    return _place(stored.sources[0], names, depsgraph) if stored.sources else placing.world(ob, depsgraph)[:3, 3].copy()
+
+
+def _faces(data):
+    """How many faces each span of a surface has, where that was chosen and a lesson can say it."""
+    chosen = settings.of(data)
+    found = chosen.resolution_u, chosen.resolution_v
+    return found if isinstance(data, bpy.types.Mesh) and chosen.mode == settings.COUNT and max(found) <= reading.MOST_FACES else ()
+
+
+def _starts(stored):
+    """Whether a recipe has the points that it starts from."""
+    return not len(stored.points) or np.array_equal(stored.points, stored.recipe.start_for(stored.values))
 
 
 def _why_value(ob, stored, names, depsgraph):
@@ -66,9 +90,12 @@ def _why_value(ob, stored, names, depsgraph):
     if stored.frames or any(stored.turned):
         return "an object gives its axis or place, or an input is turned"
     if not stored.sources:
-        if len(stored.points) and not np.array_equal(stored.points, stored.recipe.start_for(stored.values)):
+        if not _starts(stored) and stored.recipe.has_groups:
             return "its points were moved"
-        return "" if _is_at(ob, np.eye(4), depsgraph) else "it was moved, turned or scaled"
+        if not _starts(stored) and len(stored.points) > reading.MOST_ENTRIES:
+            return f"it has {len(stored.points)} points, and {reading.MOST_ENTRIES} are the most"
+        is_turned = not np.allclose(placing.world(ob, depsgraph)[:3, :3], np.eye(3), rtol=1e-6, atol=1e-6)
+        return "it was turned or scaled" if is_turned else ""
     if None in stored.sources:
         return "what it was made from is gone"
     strange = next((source.name for source in stored.sources if source not in names), "")

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.base.failures import Refusal
 from ...core.lessons import answers as kept_answers
-from ...core.lessons import checking
+from ...core.lessons import checking, words
 from ...core.lessons.facets import Facets
 from ...core.lessons.measures import Shown
 from ...core.recipes.table import RECIPES
@@ -63,6 +63,7 @@ def rebuild(scene, lesson, number):
     for step in lesson.steps[:number + 1]:
         _play(scene, step)
     scene[STEP] = number
+    _select(scene, lesson)
 
 
 def advance(scene, lesson):
@@ -77,6 +78,16 @@ def advance(scene, lesson):
         _remove(scene, set(scene.objects) - known)
         raise
     scene[STEP] = number
+    _select(scene, lesson)
+
+
+def _select(scene, lesson):
+    """Let what the step speaks of be selected, and the shape to be moved be active. Shapes that a learner removed are left out."""
+    names = words.spoken_of(lesson.steps[:step_of(scene) + 1])
+    shown = {str(ob[SHAPE]): ob for ob in scene.view_layers[0].objects if SHAPE in ob.keys()}
+    for ob in scene.view_layers[0].objects:
+        ob.select_set(ob in (shown.get(name) for name in names), view_layer=scene.view_layers[0])
+    scene.view_layers[0].objects.active = next((shown[name] for name in names if name in shown), None)
 
 
 def _play(scene, step):
@@ -97,7 +108,9 @@ def _make(scene, make):
     else:
         data = shape.new_data(make.shape, make.value, (12, 12, settings.AUTOMATIC))
         ob = bpy.data.objects.new(make.shape, data)
-    ob[SHAPE], ob.location = make.shape, make.place
+    ob[SHAPE] = make.shape
+    if any(make.place):
+        ob.location = make.place
     scene.collection.objects.link(ob)
     if make.faces:
         settings.set_count(ob.data, *make.faces)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..recipes.table import RECIPES
 from . import reading
 
 
@@ -19,6 +20,9 @@ class Present(NamedTuple):
     settings: dict
     value: object                       # where it lies in the world
     why_value: str = ""                 # why it is kept as a value though a recipe makes it
+    points: tuple = ()                  # rows (x, y, z) that the recipe is made from; () for those that it starts from
+    faces: tuple = ()                   # of a surface: how many in each span, for u and v; () where the add-on chooses
+    place: tuple = (0.0, 0.0, 0.0)      # of the object that a recipe makes; its value lies around that
 
 
 def begun(title, step):
@@ -47,8 +51,18 @@ def make(name, present):
     """What makes a shape, as a step says it."""
     if present.recipe:
         inputs = {'of': list(present.inputs)} if present.inputs else {}
-        return {'shape': name, 'recipe': present.recipe, **inputs, 'set': dict(present.settings)}
-    return {'shape': name, 'value': _said(present.value)}
+        place = {'place': list(present.place)} if any(present.place) else {}
+        points = {'points': _rows(present.points)} if present.points else {}
+        return {'shape': name, 'recipe': present.recipe, **inputs, 'set': dict(present.settings), **points, **place, **_faces(present)}
+    return {'shape': name, 'value': _said(present.value), **_faces(present)}
+
+
+def _faces(present):
+    return {'faces': list(present.faces)} if present.faces else {}
+
+
+def _rows(points):
+    return [list(point) for point in points]
 
 
 def _said(value):
@@ -60,11 +74,12 @@ def state_of(lesson):
     known = {}
     for each in lesson.steps:
         for one in each.make:
-            known[one.shape] = Present(one.recipe, one.inputs, dict(one.settings), one.value)
+            known[one.shape] = Present(one.recipe, one.inputs, dict(one.settings), one.value, "", one.points, one.faces, one.place)
         for one in each.change:
             before = known[one.shape]
-            known[one.shape] = (before._replace(value=one.value) if one.value is not None
-                                else before._replace(settings={**before.settings, **one.settings}))
+            said = {'value': one.value, 'points': one.points, 'faces': one.faces}
+            known[one.shape] = before._replace(settings={**before.settings, **one.settings},
+                                               **{key: value for key, value in said.items() if value not in (None, ())})
     return known
 
 
@@ -78,12 +93,22 @@ def changes(known, present):
             continue
         if (before.recipe, before.inputs) != (now.recipe, now.inputs):
             raise Refusal(f"{name} is made otherwise than the lesson says{f': {now.why_value}' if now.why_value else ''}")
+        if before.place != now.place:
+            raise Refusal(f"{name} was moved: a step can change what it is made from, not where it lies")
         if before.recipe:
             settings = {key: value for key, value in now.settings.items() if key not in before.settings or before.settings[key] != value}
             found += [{'shape': name, 'set': settings}] if settings else []
+            found += [{'shape': name, 'points': _rows(_points(now))}] if _points(before) != _points(now) else []
         elif _said(before.value) != _said(now.value):
             found.append({'shape': name, 'value': _said(now.value)})
+        found += [{'shape': name, **_faces(now)}] if now.faces and now.faces != before.faces else []
     return found
+
+
+def _points(present):
+    """Those that its recipe is made from."""
+    recipe = RECIPES[present.recipe]
+    return present.points or tuple(tuple(map(float, point)) for point in recipe.start_for(recipe.completed(present.settings)))
 
 
 def moves(known, present, changed):
@@ -94,7 +119,9 @@ def moves(known, present, changed):
         if 'set' in one:
             found += [{'shape': name, 'setting': setting} for setting in one['set']]
             continue
-        before, now = (getattr(each[name].value, 'points', None) for each in (known, present))
+        if 'faces' in one:
+            continue
+        before, now = ((_points(each[name]) if each[name].recipe else getattr(each[name].value, 'points', None)) for each in (known, present))
         if before is not None and now is not None and np.shape(before) == np.shape(now):
             moved = np.flatnonzero((np.asarray(before) != np.asarray(now)).reshape(-1, 3).any(1)).tolist()
             found += [{'shape': name, 'points': moved[:reading.MOST_ENTRIES]}] if moved else []

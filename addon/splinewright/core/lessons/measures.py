@@ -6,7 +6,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
-from . import curve_measures, facets, seam_measures
+from . import curve_measures, facets, seam_measures, surface_measures
 from .lesson import Measure
 
 
@@ -158,7 +158,7 @@ KINDS = {
     'faces': Kind((), _drawn(facets.count), 'shown'),
     'facet_distance': Kind((), _drawn(facets.distance), 'shown'),
     **{name: Kind(*each) for name, each in curve_measures.MEASURES.items()},
-    **{name: Kind(*each, 'patches') for name, each in seam_measures.MEASURES.items()},
+    **{name: Kind(*each, 'patches') for name, each in (seam_measures.MEASURES | surface_measures.MEASURES).items()},
 }
 #: Errors that measure() may raise.
 FAILURES = (Refusal, sc.Error)

@@ -15,7 +15,7 @@ from . import reports
 from .lesson_making import _OnDraft, draft_of, write
 
 #: What an argument of a measure is asked by.
-_FIELDS = {'at': ('at', 'at_setting'), 'index': ('index',), 'name': ('setting',), 'to': ()}
+_FIELDS = {'at': ('at', 'at_setting'), 'at_v': ('at_v',), 'index': ('index',), 'name': ('setting',), 'to': ()}
 _MEASURES = tuple((kind, kind.replace("_", " ").capitalize(), f"Takes {', '.join(known.takes)}" if known.takes else "A number of the whole curve")
                   for kind, known in KINDS.items() if set(known.takes) <= set(_FIELDS))
 _TYPED = ('NUMBER', "Typed", "The parameter is typed")
@@ -56,6 +56,7 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
     piece: IntProperty(name="Piece", description="Which curve of the shape, counted from 1", default=1, min=1, options={'SKIP_SAVE'})
     at_setting: EnumProperty(name="At", description="Where on the curve: a typed parameter, or a setting of a shape", items=_places, options={'SKIP_SAVE'})
     at: FloatProperty(name="Parameter", description="Where on the curve", default=0.5, precision=5, options={'SKIP_SAVE'})
+    at_v: FloatProperty(name="Parameter V", description="Where on the surface, along v", default=0.5, precision=5, options={'SKIP_SAVE'})
     index: IntProperty(name="Point", description="Which control point, counted from 0", min=0, options={'SKIP_SAVE'})
     setting: EnumProperty(name="Setting", description="Which number of the construction", items=_settings, options={'SKIP_SAVE'})
     relation: EnumProperty(name="Right If", description="When the number is right", options={'SKIP_SAVE'}, items=(
@@ -154,8 +155,8 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
         if one == 'at' and self.at_setting != _TYPED[0]:
             of, _, setting = self.at_setting.partition("\n")
             return {'measure': 'setting', 'of': of, 'name': setting}
-        if one == 'at':
-            return decimals.typed(self.at)
+        if one in ('at', 'at_v'):
+            return decimals.typed(getattr(self, one))
         if one == 'to':
             others = [names[ob] for ob in context.selected_objects if ob in names and names[ob] != name]
             if len(others) != 1:

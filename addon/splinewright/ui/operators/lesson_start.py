@@ -50,7 +50,7 @@ def begin(operator, context, lesson, text=""):
         scene = stage.begin(lesson, context.scene, text)
     except FAILURES as error:
         return reports.failed(operator, error)
-    ui_state.lesson_word = ""
+    ui_state.lesson_word, ui_state.lesson_shown = "", ()
     if context.window is not None:
         context.window.scene = scene
         show_view(context, lesson.steps[0])

@@ -9,6 +9,7 @@ from ...bridge.lessons import shelf, stage
 from ...bridge.net import live, selection
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
+from ...core.lessons import words
 from .. import editing
 from ..ui_state import ui_state
 from . import reports
@@ -25,6 +26,11 @@ def current(scene):
     if found is None or stage.is_damaged(scene, found):
         raise Refusal(f"there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one")
     return found
+
+
+def shown_answer(scene):
+    """What Show Me said of this step, or ""."""
+    return ui_state.lesson_shown[2] if ui_state.lesson_shown[:2] == (stage.lesson_of(scene), stage.step_of(scene)) else ""
 
 
 def net_of(context, name):
@@ -95,7 +101,7 @@ class SPLINEWRIGHT_OT_lesson_step(_OfLesson, bpy.types.Operator):
             return reports.cancelled(self, "This is the first step")
         else:
             stage.rebuild(scene, lesson, number - (self.way == 'BACK'))
-        ui_state.lesson_word = ""
+        ui_state.lesson_word, ui_state.lesson_shown = "", ()
         if self.way != 'RESET':
             show_view(context, lesson.steps[stage.step_of(scene)])
         return {'FINISHED'}
@@ -119,6 +125,7 @@ class SPLINEWRIGHT_OT_check_answer(_OfAnswer, bpy.types.Operator):
             if not given:
                 return reports.cancelled(self, f"Select points of {ask.shape}: Pick Points shows them")
         is_right = stage.answer(scene, lesson, given)
+        ui_state.lesson_shown = ()
         ui_state.lesson_word = "Right" if is_right else "Not yet"
         return reports.finished(self, reports.Report(f"{ui_state.lesson_word}."))
 
@@ -148,26 +155,20 @@ class SPLINEWRIGHT_OT_pick_answer(_OfAnswer, bpy.types.Operator):
 class SPLINEWRIGHT_OT_show_solution(_OfAnswer, bpy.types.Operator):
     bl_idname = "splinewright.show_solution"
     bl_label = "Show Me"
-    bl_description = "Make the solution; Ctrl+Z takes it back"
+    bl_description = "Make the solution, and say the answer with its hint; Ctrl+Z takes it back"
 
     def done(self, context, scene, lesson):
         step = lesson.steps[stage.step_of(scene)]
-        if step.ask is not None and step.ask.kind == 'choose':
-            return reports.finished(self, reports.Report(f"The answer is: {step.ask.choices[step.ask.right]}"))
-        if step.ask is not None and step.ask.kind == 'point':
-            return self._show_points(context, step.ask)
-        if not step.solution:
-            return reports.cancelled(self, "This step has nothing to show")
+        if step.ask is None:
+            return reports.cancelled(self, "This step asks nothing")
         stage.change(scene, step.solution)
-        return {'FINISHED'}
-
-    def _show_points(self, context, ask):
-        held, points = net_of(context, ask.shape), sorted(ask.points)
+        held = net_of(context, step.ask.shape) if step.ask.kind == 'point' else None
         if held is not None:
             net = live.session(held.data).net
-            selection.select(held, net, np.flatnonzero(np.isin(net.rows, points)))
-        text = "The point is" if len(points) == 1 else "The points are"
-        return reports.finished(self, reports.Report(f"{text} {', '.join(map(str, points))}, counted from 0"))
+            selection.select(held, net, np.flatnonzero(np.isin(net.rows, sorted(step.ask.points))))
+        said = words.answer(step, stage.shapes_of(scene))
+        ui_state.lesson_shown = (stage.lesson_of(scene), stage.step_of(scene), said)
+        return reports.finished(self, reports.Report(said))
 
 
 class SPLINEWRIGHT_OT_leave_lesson(_OfLesson, bpy.types.Operator):
