@@ -9,6 +9,7 @@ from ..bridge.cage import net_object
 from ..bridge.data import held, store
 from ..bridge.edit import replace_pieces
 from ..bridge.net import live
+from ..core.base.words import phrase
 from ..core.joints import continuity, held_joints
 from . import active_shape, colors, texts
 from .sub_panel import ClosedPanel
@@ -38,7 +39,9 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
         data = active_shape.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
         if survey.bendable:
-            texts.draw_note(self.layout, f"Pulled at {survey.bendable:,} knots inside it may crease: deformable or rebuilt it stays smooth")
+            texts.draw_note(self.layout, phrase("Pulled at {count:,} knots inside it may crease: deformable or rebuilt it "
+                                                "stays smooth",
+                                                count=survey.bendable))
         if not survey.count:
             self.layout.label(text="No seams" if is_surface else "No joints")
             return
@@ -125,7 +128,7 @@ def _draw_joints(layout, survey, locks):
         texts.draw_note(layout, reason)
     hidden = survey.count - len(survey.joints)
     if hidden:
-        layout.label(text=f"and {hidden:,} more")
+        layout.label(text=phrase("and {hidden:,} more", hidden=hidden))
 
 
 def kind(joint):

@@ -5,6 +5,7 @@ from bpy.props import EnumProperty
 
 from ..bridge.lessons import shelf, stage
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import phrase
 from ..core.lessons import lectures
 from . import texts
 from .sub_panel import ClosedPanel
@@ -76,7 +77,7 @@ def _draw_own(layout):
         name = path.stem.encode('utf-8', 'replace').decode('utf-8')
         column.operator("splinewright.start_lesson_file", text=short(name), icon='FILE').filepath = str(path)
     if len(files) > _MOST:
-        column.label(text=f"and {len(files) - _MOST} more files")
+        column.label(text=phrase("and {count} more files", count=len(files) - _MOST))
     for name in shelf.blocks():
         column.operator("splinewright.start_lesson", text=short(name), icon='TEXT').text = name
     if not files and not shelf.blocks():

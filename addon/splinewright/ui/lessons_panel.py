@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge.lessons import stage
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import phrase
 from ..core.lessons import checking
 from . import texts
 from .operators import lessons
@@ -30,7 +31,8 @@ class SPLINEWRIGHT_PT_lesson(SidePanel, bpy.types.Panel):
             return
         number = stage.step_of(context.scene)
         step = lesson.steps[number]
-        layout.label(text=f"{lesson.title}: {number + 1} of {len(lesson.steps)}")
+        layout.label(text=phrase("{title}: {number} of {count}",
+                                 title=phrase(lesson.title), number=number + 1, count=len(lesson.steps)))
         texts.draw_note(layout, step.text, icon='NONE')
         _draw_watched(layout, context.scene, step)
         if step.ask is not None:
@@ -53,7 +55,8 @@ def _draw_picked(box, ask):
     except FAILURES as error:
         texts.draw_problem(box, sentence(error))
         return
-    texts.draw_note(box, f"Picked: {', '.join(map(str, picked))}" if picked else "Select points of the net", icon='NONE')
+    texts.draw_note(box, phrase("Picked: {picked}",
+                                picked=', '.join(map(str, picked))) if picked else "Select points of the net", icon='NONE')
 
 
 def _draw_watched(layout, scene, step):

@@ -10,6 +10,7 @@ from ..bridge.data import problems
 from ..bridge.data.file_state import ended_operators, state
 from ..bridge.net import live
 from ..bridge.shape import shape
+from ..core.base.words import phrase
 from . import colors, editing, knot_strip_overlay
 from .ui_state import ui_state
 
@@ -31,7 +32,7 @@ def sentence(layer):
 
 def _of_result(ob):
     if ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob):
-        yield f"{ob.name}: this is the generated mesh, not the net: changes here count as made by hand", WARNING
+        yield phrase("{name}: this is the generated mesh, not the net: changes here count as made by hand", name=ob.name), WARNING
         yield "Back to the Net, Restore and Detach are in the sidebar; Tab leaves", NOTE
 
 
@@ -41,18 +42,20 @@ def _of_edited(ob):
     problem, note, saved = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
     if problem:
         yield f"{name}: {problem}", WARNING
-        yield f"{undo_key()} takes it back, Reload Control Points puts the net out again from the shape as it is", NOTE
+        yield phrase("{key} takes it back, Reload Control Points puts the net out again from the shape as it is",
+                     key=undo_key()), NOTE
     elif note:
         yield f"{name}: {note}", NOTE
     if problem and saved:
-        yield f"Saved: {saved}", NOTE
+        yield phrase("Saved: {saved}", saved=saved), NOTE
 
 
 def _of_kept(ob):
     problem = live.problem(ob)
     if problem and net_object.shape_of(ob):
-        yield f"{ob.name} holds changes that {net_object.shape_of(ob).name} has not taken: {problem}", WARNING
-        yield f"Tab on {ob.name} continues with it; deleting it drops them", NOTE
+        yield phrase("{name} holds changes that {shape} has not taken: {problem}",
+                     name=ob.name, shape=net_object.shape_of(ob).name, problem=problem), WARNING
+        yield phrase("Tab on {name} continues with it; deleting it drops them", name=ob.name), NOTE
 
 
 def undo_key():

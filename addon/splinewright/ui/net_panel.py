@@ -7,6 +7,7 @@ from ..bridge.data import store
 from ..bridge.data.settings import overlays_of
 from ..bridge.net import live
 from ..bridge.recipes import recipes
+from ..core.base.words import phrase
 from ..core.shape import describe
 from . import active_shape, handles_panel, net_props, texts
 from .sub_panel import SidePanel
@@ -66,7 +67,7 @@ def _draw_points(layout, ob, session, has_weights):
     if not vertices:
         box.label(text="Select points to edit them")
         return
-    box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
+    box.label(text=phrase("{count} of {int} points and handles", count=len(vertices), int=int((session.net.rows >= 0).sum())))
     points = data.splinewright_points
     box.row(align=True).prop(points, "space", expand=True)
     if len(vertices) > 1:
@@ -84,7 +85,7 @@ def _draw_points(layout, ob, session, has_weights):
             column.prop(points, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN
     if hidden > 0:
-        box.label(text=f"and {hidden} more")
+        box.label(text=phrase("and {hidden} more", hidden=hidden))
     if not has_weights:
         return
     if len(vertices) > 1 and session.net.weighted[vertices].any():
@@ -97,10 +98,10 @@ def _draw_points(layout, ob, session, has_weights):
 def name_of(net, vertex):
     """What a vertex of a net is called."""
     if net.origins[vertex, 0] < 0:
-        return f"Point {vertex}"
+        return phrase("Point {vertex}", vertex=vertex)
     if any(head == vertex for _, head in net.arrows):
-        return f"Direction at infinity {vertex}"
-    return f"Handle {vertex}"
+        return phrase("Direction at infinity {vertex}", vertex=vertex)
+    return phrase("Handle {vertex}", vertex=vertex)
 
 
 def _draw_knots(layout, definition, pieces):
@@ -117,7 +118,7 @@ def _draw_knots(layout, definition, pieces):
             button = row.operator("splinewright.set_knots", text="", icon='GREASEPENCIL')
             button.piece, button.axis = i + 1, axis or 'U'
     if len(with_knots) > _PIECES:
-        layout.label(text=f"Knots of {len(with_knots) - _PIECES} more: select their points")
+        layout.label(text=phrase("Knots of {count} more: select their points", count=len(with_knots) - _PIECES))
 
 
 CLASSES = (SPLINEWRIGHT_PT_points,)

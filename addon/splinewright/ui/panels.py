@@ -8,6 +8,7 @@ from ..bridge.data import store
 from ..bridge.edit import baking
 from ..bridge.recipes import recipes
 from ..bridge.shape import shape
+from ..core.base.words import phrase
 from . import construction_panel, manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
 from .sub_panel import SidePanel
@@ -35,7 +36,7 @@ class _ShapePanel:
         if net_object.is_net(ob):
             net_panel.draw_state(self.layout, ob)
         elif baking.is_baked(data):
-            self.layout.label(text=f"Baked: frames {baking.frames(data)}", icon='RENDER_ANIMATION')
+            self.layout.label(text=phrase("Baked: frames {frames}", frames=baking.frames(data)), icon='RENDER_ANIMATION')
             if ob is not None:
                 self.layout.operator("splinewright.unbake")
         else:

@@ -16,6 +16,7 @@ from ..bridge.recipes import parameters, recipes
 from ..bridge.shape import recipe_edit
 from ..core.base import decimals
 from ..core.base.failures import FAILURES, Refusal, sentence
+from ..core.base.words import phrase
 from ..core.recipes.table import RECIPES
 from . import inputs_list, texts
 
@@ -192,7 +193,7 @@ def draw(layout, data, is_net_out=False):
     if recipe.has_more:
         inputs_list.draw(layout, data, recipe)
     if stored.error:
-        texts.draw_note(layout, f"Within {stored.error:.1e} of the exact result")
+        texts.draw_note(layout, phrase("Within {error:.1e} of the exact result", error=stored.error))
     if stored.said:
         texts.draw_note(layout, stored.said)
     if stored.warning:

@@ -116,7 +116,7 @@ def _ready(data, turn):
         return None, None
     for source, was_shape in zip(stored.sources, stored.were_shapes):
         if was_shape and not shape.has_shape(source):
-            raise Refusal(f"{source.name} is not a Splinewright shape any more: it stays as it was last")
+            raise Refusal("{name} is not a Splinewright shape any more: it stays as it was last", name=source.name)
     return stored, placing.kept_up(data, owner, pointed, turn.depsgraph)
 
 

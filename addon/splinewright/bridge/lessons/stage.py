@@ -132,7 +132,7 @@ def object_of(scene, name):
     """The object of a shape of the lesson. Raises Refusal where a learner removed it."""
     found = next((ob for ob in scene.objects if ob.get(SHAPE) == name), None)
     if found is None or not shape.has_shape(found):
-        raise Refusal(f"{name} is gone: Reset brings it back")
+        raise Refusal("{name} is gone: Reset brings it back", name=name)
     return found
 
 

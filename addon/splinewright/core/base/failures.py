@@ -9,10 +9,14 @@ import traceback
 from contextlib import contextmanager
 
 from .library import sc
+from .words import phrase
 
 
 class Refusal(ValueError):
-    """Something is not done, for a reason that a modeler understands; nothing has changed."""
+    """Something is not done, for a reason that a modeler understands; nothing has changed: a phrase, see words.py."""
+
+    def __init__(self, pattern="", /, one="", **arguments):
+        super().__init__(phrase(pattern, one, **arguments))
 
 
 class WrongKind(Refusal, TypeError):

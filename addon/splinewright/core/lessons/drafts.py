@@ -77,7 +77,8 @@ def changes(known, present):
         if before is None:
             continue
         if (before.recipe, before.inputs) != (now.recipe, now.inputs):
-            raise Refusal(f"{name} is made otherwise than the lesson says{f': {now.why_value}' if now.why_value else ''}")
+            raise Refusal("{name} is made otherwise than the lesson says: {reason}" if now.why_value else
+                          "{name} is made otherwise than the lesson says", name=name, reason=now.why_value)
         if before.recipe:
             settings = {key: value for key, value in now.settings.items() if key not in before.settings or before.settings[key] != value}
             found += [{'shape': name, 'set': settings}] if settings else []

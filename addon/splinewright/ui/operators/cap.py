@@ -7,6 +7,7 @@ from ...bridge.edit import replace_pieces
 from ...bridge.net import keyed
 from ...bridge.recipes import recipes
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.recipes import capping
 from ...core.surfaces import caps
 from . import reports
@@ -56,7 +57,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
         more = []
         if found:
             count = sum(one.count for one in found)
-            more.append(f"{count} end{'s' if count > 1 else ''} closed")
+            more.append(phrase("{count} ends closed", one="{count} end closed", count=count))
             bend = max(one.bend for one in found)
             more += capping.bend_in_words(bend)
             more += ["normals turned outwards"] if any(one.is_turned for one in found) else []

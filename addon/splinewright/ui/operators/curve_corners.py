@@ -97,7 +97,7 @@ class _Between:
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "Select one or two curve shapes")
 
     def invoke(self, context, event):
         active_shape.begin_pair(self, context)

@@ -9,6 +9,7 @@ from bpy.props import BoolProperty
 from ...bridge.edit import grease_pencil
 from ...bridge.follow import follow
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import recipe_props
 from . import new_shapes
@@ -44,7 +45,7 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
 
     def warnings(self, new):
         degree = min(ob.data.splinewright.value.degree for ob in new)
-        return (f"the degree is {degree}: there are no points for more",) if degree < self.degree else ()
+        return (phrase("the degree is {degree}: there are no points for more", degree=degree),) if degree < self.degree else ()
 
     def lines_of_objects(self, context):
         return lines_of_strokes(context, _FEW)

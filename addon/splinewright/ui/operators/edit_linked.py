@@ -3,6 +3,7 @@
 import bpy
 
 from ...bridge.shape import shape
+from ...core.base.words import phrase
 from . import polls, reports
 
 
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
 
 
 def told(ob):
-    return f"{ob.name} is linked from {shape.file_of(ob)}: make it local to edit it here"
+    return phrase("{name} is linked from {file}: make it local to edit it here", name=ob.name, file=shape.file_of(ob))
 
 
 def _draw(self, context):

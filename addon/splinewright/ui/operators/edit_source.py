@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from .. import editing, texts
 from . import polls, reports
 
@@ -64,7 +65,9 @@ def _places(ob):
 
 
 def _title(ob):
-    return f"{ob.name} is made from {len(_sources(ob))} objects" if _sources(ob) else f"{ob.name} is made by its numbers"
+    return phrase("{name} is made from {count} objects",
+                  name=ob.name, count=len(_sources(ob))) if _sources(ob) else phrase("{name} is made by its numbers",
+                                                                                             name=ob.name)
 
 
 def _draw_choice(menu, context):
@@ -91,7 +94,7 @@ def _chosen(context, name):
     if not _sources(context.object):
         raise Refusal("it is made by its numbers: change them in the panel, or use Apply Construction first")
     if len(sources) != 1:
-        raise Refusal("choose one of the objects it is made from" if sources else f"it is not made from {name}")
+        raise Refusal("choose one of the objects it is made from" if sources else phrase("it is not made from {name}", name=name))
     return sources[0]
 
 
@@ -104,16 +107,16 @@ def _edit(context, ob):
     if context.view_layer.objects.get(ob.name) == ob and ob.hide_get():
         ob.hide_set(False)
     if context.view_layer.objects.get(ob.name) != ob or not ob.visible_get():
-        raise Refusal(f"{ob.name} is hidden, or not in this view layer: show it to edit it")
+        raise Refusal("{name} is hidden, or not in this view layer: show it to edit it", name=ob.name)
     if shape.has_shape(ob):
         reason = editing.why_not(ob)
         if reason:
-            raise Refusal(f"{ob.name}: {reason}")
+            raise Refusal("{name}: {reason}", name=ob.name, reason=reason)
         _select(context, ob)
         editing.enter(context, ob)
         return
     if ob.library or ob.data.library:
-        raise Refusal(f"{ob.name} is linked from another file: make it local first")
+        raise Refusal("{name} is linked from another file: make it local first", name=ob.name)
     _select(context, ob)
     bpy.ops.object.mode_set(mode='EDIT')
 

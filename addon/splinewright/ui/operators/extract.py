@@ -4,6 +4,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ...bridge.edit import extracting
+from ...core.base.words import phrase
 from ...core.verbs import patch_curves
 from . import reports
 from .adding import Repeatable, can_add
@@ -45,7 +46,8 @@ class _Extract(Repeatable, OnPatches):
 
     def said(self, outcomes):
         left_out = [text for texts in outcomes.values() for text in texts]
-        return reports.Report(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
+        return reports.Report(self.summary(outcomes), (phrase("left out: {left_out}",
+                                                              left_out=', '.join(left_out)),) if left_out else ())
 
 
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):

@@ -6,6 +6,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.data import held, store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from ...core.joints import patch_joints
 from ...core.joints.held import Held, are_one
 from ...core.verbs.patch_curves import SIDE_CHOICES
@@ -89,7 +90,7 @@ class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
         choices = (patch_joints.Choice(number + 1, side) for number, side in self.sides())
         found = joining.join_patches(ob, None, *choices, self.continuity, self.moves)
         held.hold(ob.data, seam)
-        return f"{told(found)}; {self.continuity} holds from now on", came_apart(found)
+        return phrase("{found}; {continuity} holds from now on", found=told(found), continuity=self.continuity), came_apart(found)
 
 
 class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):

@@ -53,7 +53,7 @@ class _OnInputs:
 
     def require(self, inputs):
         if self.index >= len(inputs):
-            raise Refusal(f"it is made from {len(inputs)} objects, there is none of number {self.index + 1}")
+            raise Refusal("it is made from {count} objects, there is none of number {index}", count=len(inputs), index=self.index + 1)
 
 
 class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):

@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, EnumProperty
 from ...bridge.analysis import surveys
 from ...bridge.edit import replace_pieces
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase
 from ...core.verbs import parameter_picking
 from .. import active_shape, aim_overlay, editing, picking
 from ..ui_state import ui_state
@@ -205,7 +206,8 @@ def _status(aimed, thing, does):
     names = {'U': "u", 'V': "v", 'BOTH': "uv"}[aimed.direction] if len(aimed.parameters) == 2 else "u"
     numbers = ", ".join(f"{name} = {value:.4g}" for name, value in zip("uv", aimed.parameters) if name in names)
     wheel = "   |   Wheel: along u, v, both" if len(aimed.parameters) == 2 else ""
-    return f"{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
+    return phrase("{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel",
+                  thing=thing, numbers=numbers, does=does, wheel=wheel)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)

@@ -8,6 +8,7 @@ from ...bridge.data import store
 from ...bridge.edit import joining
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from ...core.joints.held import why_not
 from .. import texts
 from . import polls, reports
@@ -61,9 +62,11 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
             if all(map(shape.has_shape, chosen)):
                 others = [ob.name for ob in chosen if ob != active]
                 joining.join(active, [ob for ob in chosen if ob != active])
-                return reports.finished(self, reports.Report(f"Joined {reports.listed(others)} into {active.name}", notes=_seams(active.data)))
+                return reports.finished(self, reports.Report(phrase("Joined {names} into {name}",
+                                                                    names=reports.listed(others), name=active.name), notes=_seams(active.data)))
             elif not self.end_definitions:
-                raise Refusal(f"{joining.ending_in_words(chosen)}. Nothing was joined: set End the Definitions for that")
+                raise Refusal("{said}. Nothing was joined: set End the Definitions for that",
+                              said=joining.ending_in_words(chosen))
             else:
                 return reports.finished(self, reports.Report(joining.join_plainly(active, chosen)))
         except FAILURES as error:

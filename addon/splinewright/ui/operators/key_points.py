@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.keys import point_keys
 from ...bridge.net import live, point_keying, selection
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase
 from .. import active_shape, editing
 from . import reports
 
@@ -48,7 +49,7 @@ class _OnPoints:
         if editing.nets_in_edit_mode(context):
             editing.want_whole_step()
         count = sum(done.values())
-        points = "1 point" if count == 1 else f"{count} points"
+        points = "1 point" if count == 1 else phrase("{count} points", count=count)
         return reports.finished(self, reports.Report(self.done.format(points, f"{frame:g}"), warnings=reasons))
 
     def _rows(self, data, net):

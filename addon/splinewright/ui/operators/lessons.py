@@ -9,6 +9,7 @@ from ...bridge.lessons import shelf, stage
 from ...bridge.net import live, selection
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from .. import editing
 from ..ui_state import ui_state
 from . import reports
@@ -23,7 +24,8 @@ def current(scene):
     text = stage.text_of(scene)
     found = shelf.read_text(text) if text else shelf.all_lessons().get(name)
     if found is None or stage.is_damaged(scene, found):
-        raise Refusal(f"there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one")
+        raise Refusal("there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one",
+                      name=name)
     return found
 
 
@@ -117,7 +119,7 @@ class SPLINEWRIGHT_OT_check_answer(_OfAnswer, bpy.types.Operator):
             held = net_of(context, ask.shape)
             given = picked_points(held) if held is not None else []
             if not given:
-                return reports.cancelled(self, f"Select points of {ask.shape}: Pick Points shows them")
+                return reports.cancelled(self, phrase("Select points of {shape}: Pick Points shows them", shape=ask.shape))
         is_right = stage.answer(scene, lesson, given)
         ui_state.lesson_word = "Right" if is_right else "Not yet"
         return reports.finished(self, reports.Report(f"{ui_state.lesson_word}."))
@@ -133,7 +135,7 @@ class SPLINEWRIGHT_OT_pick_answer(_OfAnswer, bpy.types.Operator):
         if ask is None or ask.kind != 'point':
             return reports.cancelled(self, "This step asks for no points")
         if net_of(context, ask.shape) is not None:
-            return reports.cancelled(self, f"The points of {ask.shape} can be selected now")
+            return reports.cancelled(self, phrase("The points of {shape} can be selected now", shape=ask.shape))
         if context.mode != 'OBJECT':
             editing.end()
         ob = stage.object_of(scene, ask.shape)
@@ -153,7 +155,8 @@ class SPLINEWRIGHT_OT_show_solution(_OfAnswer, bpy.types.Operator):
     def done(self, context, scene, lesson):
         step = lesson.steps[stage.step_of(scene)]
         if step.ask is not None and step.ask.kind == 'choose':
-            return reports.finished(self, reports.Report(f"The answer is: {step.ask.choices[step.ask.right]}"))
+            return reports.finished(self, reports.Report(phrase("The answer is: {answer}",
+                                                                answer=step.ask.choices[step.ask.right])))
         if step.ask is not None and step.ask.kind == 'point':
             return self._show_points(context, step.ask)
         if not step.solution:
@@ -167,7 +170,8 @@ class SPLINEWRIGHT_OT_show_solution(_OfAnswer, bpy.types.Operator):
             net = live.session(held.data).net
             selection.select(held, net, np.flatnonzero(np.isin(net.rows, points)))
         text = "The point is" if len(points) == 1 else "The points are"
-        return reports.finished(self, reports.Report(f"{text} {', '.join(map(str, points))}, counted from 0"))
+        return reports.finished(self, reports.Report(phrase("{text} {points}, counted from 0",
+                                                            text=text, points=', '.join(map(str, points)))))
 
 
 class SPLINEWRIGHT_OT_leave_lesson(_OfLesson, bpy.types.Operator):

@@ -7,6 +7,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from ...bridge.edit import moving_knots
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase
 from ...core.verbs import knot_strip
 from .. import knot_strip as strip
 from .. import active_shape, editing
@@ -67,7 +68,8 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
             held.show(to)
         except FAILURES as error:
             return reports.failed(self, error, owner.name)
-        return reports.finished(self, reports.Report(f"Knot {self.knot} of {owner.name} at {to:.6g}",
+        return reports.finished(self, reports.Report(phrase("Knot {knot} of {name} at {to:.6g}",
+                                                            knot=self.knot, name=owner.name, to=to),
                                                    warnings=(*filter(None, [held.lost]),
                                                              *(editing.anew(context, nets) if nets else ()))))
 
@@ -160,7 +162,8 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
 
     def _text(self):
         number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
-        return f"Knot {self.knot} at {number}: {self._problem or self._note or knot_strip.where(self._bar, self._mark)}"
+        return phrase("Knot {knot} at {number}: {problem}",
+                      knot=self.knot, number=number, problem=self._problem or self._note or knot_strip.where(self._bar, self._mark))
 
     def _let_go(self, context):
         is_moved = self._drag is not None and self._to != self._bar.values[self._mark]

@@ -7,6 +7,7 @@ from ...bridge.cage import net_object
 from ...bridge.edit import parting
 from ...bridge.shape import shape
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from .. import active_shape, editing
 from . import pieces, reports
 from .selected import OnSelected
@@ -37,7 +38,8 @@ class _OnChosen(pieces.OnPieces):
             return whole or touched
         count = active_shape.count_of(ob.data)
         if self.piece > count:
-            raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {self.piece}")
+            raise Refusal("the shape has {count} pieces, there is none of number {number}",
+                      "the shape has {count} piece, there is none of number {number}", count=count, number=self.piece)
         return [self.piece - 1]
 
 
@@ -62,7 +64,7 @@ def _separated(ob, groups):
 
 def _counted(outcomes):
     count = sum(map(len, outcomes.values()))
-    return f"{count} new object{'s' if count > 1 else ''}"
+    return phrase("{count} new objects", one="{count} new object", count=count)
 
 
 class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):

@@ -16,6 +16,7 @@ from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase
 from ...core.deform import pulling as pulls
 from ...core.shape import parameters
 from ...core.verbs import patch_verbs, verbs
@@ -90,7 +91,8 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Report(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
+        return reports.finished(self, reports.Report(phrase("Pulled {name} by {distance}",
+                                                            name=self._named(ob), distance=decimals.text_of(np.linalg.norm(self._typed()))),
                                                       warnings=tuple(filter(None, [held.lost]))))
 
     def draw(self, context):
@@ -264,8 +266,10 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
         kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' and self.handle == 'POINT' else ""
         numbers = ", ".join(decimals.text_of(part) for part in self.vector)
         length = np.linalg.norm(self._typed())
-        locality = f"   Locality {self.locality:.1f}" if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
-        return f"Pull {self._named(drag.ob)} {decimals.text_of(length)} ({numbers}){drag.keys.words()}{locality}{kept}"
+        locality = phrase("   Locality {locality:.1f}",
+                          locality=self.locality) if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
+        return phrase("Pull {name} {length} ({numbers}){direction}{locality}{kept}",
+                      name=self._named(drag.ob), length=decimals.text_of(length), numbers=numbers, direction=drag.keys.words(), locality=locality, kept=kept)
 
     def _named(self, ob):
         words = {'TANGENT': "the tangent of ", 'CIRCLE': "the osculating circle of "} if ob.type == 'CURVE' else {}

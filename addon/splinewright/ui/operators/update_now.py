@@ -8,6 +8,7 @@ from ...bridge.follow import follow, updating
 from ...bridge.recipes import late
 from ...bridge.shape import shape
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from .. import hints, main_thread
 from ..finishing import Finishing, has_esc, redraw, timed
 from ..ui_state import ui_state
@@ -92,7 +93,7 @@ class SPLINEWRIGHT_OT_update_late(AtWork, bpy.types.Operator):
     def called_off(self):
         names = self._finishing.stop()
         hints.say_stopped()
-        return reports.stopped(self, f"The update of {reports.listed(names)} was stopped: Update Now makes it")
+        return reports.stopped(self, phrase("The update of {names} was stopped: Update Now makes it", names=reports.listed(names)))
 
     def end_modal(self, context):
         ui_state.finishing = None

@@ -3,6 +3,7 @@
 import bpy
 from bpy.props import EnumProperty
 
+from ...core.base.words import phrase
 from ..tool_table import TOOLS
 from . import reports
 
@@ -31,7 +32,7 @@ class SPLINEWRIGHT_OT_use_tool(bpy.types.Operator):
     def execute(self, context):
         tool = TOOLS[self.tool]
         if context.mode not in tool.modes:
-            return reports.cancelled(self, f"the tool {tool.label} is not there in this mode")
+            return reports.cancelled(self, phrase("the tool {label} is not there in this mode", label=phrase(tool.label)))
         return bpy.ops.wm.tool_set_by_id(name=tool.idname, space_type='VIEW_3D')
 
 
