@@ -4,7 +4,9 @@ import re
 from pathlib import Path
 
 NATIVE = Path(__file__).parent.parent / "native"
-_THROWN = re.compile(r"\b(?:throw\s+(?:\w+::)*\w+|InvalidShape|refused|fail)\(")
+_THROWN = re.compile(r"\b(?:throw\s+(?:\w+::)*(\w+)|InvalidShape|refused|fail)\(")
+#: What the library says after it where a tolerance is missed.
+_MISSED = " within {tolerance}: the error would be {error}"
 _TOKEN = re.compile(r'R?"((?:[^"\\]|\\.)*)"|([()\[\]{},;])|(\'(?:[^\'\\]|\\.)\')|([^"()\[\]{},;\']+)', re.S)
 
 
@@ -17,6 +19,7 @@ def patterns():
             for match in _THROWN.finditer(text):
                 pattern = _pattern(text[match.end():match.end() + 2000])
                 if pattern:
+                    pattern += _MISSED if match[1] == "ToleranceNotReached" else ""
                     found.setdefault(pattern, path.relative_to(NATIVE.parent).as_posix())
     return found
 

@@ -156,6 +156,9 @@ class _File:
 
     def _text(self, node):
         one = self._one(node)
+        if "{}" in node.value:
+            letters = iter("abcdefghij")
+            return Text(ANY, re.sub(r"\{\}", lambda _: f"{{{next(letters)}}}", node.value))
         if one or _COUNT.search(node.value):
             return Text(ANY, one or node.value, node.value)
         return Text(OPERATOR if self._is_of_operator(node) else ANY, node.value)

@@ -7,7 +7,7 @@ from ..bridge.data import store
 from ..bridge.follow import follow, recipe_results
 from ..bridge.recipes import late, placing, recipes
 from ..bridge.shape import shape
-from ..core.base.words import phrase
+from ..core.base.words import phrase, say
 from . import active_shape, recipe_props, texts
 from .sub_panel import SidePanel
 
@@ -64,7 +64,7 @@ def _draw_moving(layout, ob):
     is_free = placing.moves_freely(ob.data)
     row = layout.row(align=True)
     for how, text, is_so in (('FREELY', "Moves Freely", is_free), ('WITH_INPUTS', "Stays on Inputs", not is_free)):
-        row.operator("splinewright.set_moving", text=text, depress=is_so).how = how
+        row.operator("splinewright.set_moving", text=say(text), depress=is_so).how = how
     if placing.is_away(ob.data, ob):
         texts.draw_note(layout, "Moved away from its inputs")
 

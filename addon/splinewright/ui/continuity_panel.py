@@ -9,7 +9,7 @@ from ..bridge.cage import net_object
 from ..bridge.data import held, store
 from ..bridge.edit import replace_pieces
 from ..bridge.net import live
-from ..core.base.words import phrase
+from ..core.base.words import phrase, say
 from ..core.joints import continuity, held_joints
 from . import active_shape, colors, texts
 from .sub_panel import ClosedPanel
@@ -59,7 +59,7 @@ def _draw_in_columns(layout, items):
     """One text, or three of which the last has most room."""
     for item, share in zip(items, (0.3, 0.43, 1.0) if len(items) > 1 else (1.0,)):
         layout = layout.split(factor=share)
-        layout.label(text=item)
+        layout.label(text=say(item))
 
 
 class _Locks:
@@ -104,7 +104,7 @@ class _Locks:
             return
         layout = layout.row()
         layout.enabled = self._can_change
-        operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=holds.smoothness if holds else "",
+        operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=say(holds.smoothness if holds else ""),
                                    icon='LOCKED' if holds else 'UNLOCKED')
         operator.first, operator.second = first[0] + 1, second[0] + 1
         if self._of == "seam":
@@ -119,16 +119,16 @@ def _draw_joints(layout, survey, locks):
     for joint in survey.joints:
         box = layout.box().column(align=True)
         row = box.split(factor=0.6) if len(joint.name) <= _SHORT and not locks.holds(joint) else box
-        row.label(text=joint.name)
+        row.label(text=say(joint.name))
         row = row.row(align=True)
-        row.label(text=kind(joint))
+        row.label(text=say(kind(joint)))
         locks.draw(row, joint)
         _draw_in_columns(box, numbers(joint))
     for reason in locks.reasons:
         texts.draw_note(layout, reason)
     hidden = survey.count - len(survey.joints)
     if hidden:
-        layout.label(text=phrase("and {hidden:,} more", hidden=hidden))
+        layout.label(text=say(phrase("and {hidden:,} more", hidden=hidden)))
 
 
 def kind(joint):

@@ -10,7 +10,7 @@ from ..bridge.data import problems
 from ..bridge.data.file_state import ended_operators, state
 from ..bridge.net import live
 from ..bridge.shape import shape
-from ..core.base.words import phrase
+from ..core.base.words import phrase, say
 from . import colors, editing, knot_strip_overlay
 from .ui_state import ui_state
 
@@ -41,11 +41,11 @@ def _of_edited(ob):
     name = owner.name if owner else ob.name
     problem, note, saved = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
     if problem:
-        yield f"{name}: {problem}", WARNING
+        yield phrase("{name}: {problem}", name=name, problem=problem), WARNING
         yield phrase("{key} takes it back, Reload Control Points puts the net out again from the shape as it is",
                      key=undo_key()), NOTE
     elif note:
-        yield f"{name}: {note}", NOTE
+        yield phrase("{name}: {note}", name=name, note=note), NOTE
     if problem and saved:
         yield phrase("Saved: {saved}", saved=saved), NOTE
 
@@ -68,10 +68,10 @@ def undo_key():
 def refresh():
     """Show an obstacle in the status bar; draw() shows it in the views."""
     windows = bpy.context.window_manager.windows
-    texts = ["   ".join(text for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
+    texts = ["   ".join(say(text) for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
     if any(texts) or ui_state.status:      # what others wrote there meanwhile is gone either way
         for window, text in zip(windows, texts):
-            window.workspace.status_text_set(text or None)
+            window.workspace.status_text_set(say(text or None))
     ui_state.status = next(filter(None, texts), "")
 
 
@@ -86,7 +86,7 @@ def take_back():
 def draw():
     """Called by Blender for each 3D view."""
     state.seen, ui_state.was_undone = ended_operators(), False
-    lines = [(line, color) for sentence, color in sentence(bpy.context.view_layer) for line in _wrapped(sentence)]
+    lines = [(line, color) for text, color in sentence(bpy.context.view_layer) for line in _wrapped(say(text))]
     if not lines:
         return
     scale, (left, right) = _scale(), free_space()

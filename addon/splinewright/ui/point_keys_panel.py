@@ -7,7 +7,7 @@ from ..bridge.cage import net_object
 from ..bridge.data import store
 from ..bridge.keys import point_keys
 from ..bridge.net import live, point_keying, selection
-from ..core.base.words import phrase
+from ..core.base.words import phrase, say
 from ..core.shape import keyed_rows
 from . import active_shape, net_panel, texts
 from .sub_panel import SubPanel
@@ -45,7 +45,7 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
         for i, name in list(names.items())[:_MOST]:
             _draw_point(self.layout, point_keys.of(data)[i], name, has_weight[of_item[i]])
         if len(names) > _MOST:
-            self.layout.label(text=phrase("and {count} more", count=len(names) - _MOST))
+            self.layout.label(text=say(phrase("and {count} more", count=len(names) - _MOST)))
 
 
 def _names(ob, data, of_item):
@@ -63,9 +63,9 @@ def _names(ob, data, of_item):
 
 def _draw_point(layout, item, name, has_weight):
     column = layout.column(align=True)
-    column.label(text=name)
+    column.label(text=say(name))
     for axis in range(3):
-        column.prop(item, "place", index=axis, text="XYZ"[axis])
+        column.prop(item, "place", index=axis, text=say("XYZ"[axis]))
     if has_weight:
         column.prop(item, "weight", text="Weight")
 

@@ -8,7 +8,7 @@ import gpu
 import numpy as np
 
 from ..bridge.follow import follow
-from ..core.base.words import phrase
+from ..core.base.words import phrase, say
 from . import colors, messages, picking
 
 #: In pixels of an interface that is not scaled.
@@ -40,7 +40,7 @@ def draw():
         return
     for ob, why in sentence(context.view_layer)[:_MOST]:
         if ob.visible_get(viewport=context.space_data):
-            _draw_label(context, ob, textwrap.wrap(f"{ob.name} stopped following: {why}", _WIDTH))
+            _draw_label(context, ob, textwrap.wrap(say(phrase("{name} stopped following: {why}", name=ob.name, why=why)), _WIDTH))
 
 
 def _draw_label(context, ob, lines):

@@ -26,68 +26,68 @@ def phrase(pattern, /, one="", **arguments):
     return Phrase(chosen.format(**arguments) if arguments else chosen, pattern, one, arguments)
 
 
-class English:
-    """The language of the code: every text is itself."""
-
-    def find(self, text, count=None):
-        """The translation of a text or pattern, that for a number where it has forms; None where there is none."""
-
-    def recognized(self, text):
-        """(pattern, {name: text}) of a sentence, or None."""
+def _silence():
+    """The Catalog of the language that is spoken; None for English."""
 
 
-_ENGLISH = English()
-_language = _ENGLISH
+_spoken = _silence
+#: What joins sentences and parts of them, in the order in which they are taken apart.
+_BETWEEN = ("   |   ", "; ", ": ", ", ")
 
 
-def use(language):
-    """Speak a language: an object as English is one; None for English."""
-    global _language
-    _language = language or _ENGLISH
+def use(spoken):
+    """Have a function tell which Catalog is spoken at the moment; None for English alone."""
+    global _spoken
+    _spoken = spoken or _silence
 
 
 def say(text):
     """A text as it is shown."""
-    if _language is _ENGLISH or not text:
-        return text
+    catalog = _spoken()
+    return text if catalog is None or not text else _say(catalog, text)
+
+
+def _say(catalog, text):
     if isinstance(text, Phrase):
-        return _said(text)
-    found = _language.find(text)
-    if found is not None:
-        return found
-    found = _language.recognized(text)
-    if found is not None:
-        pattern, arguments = found
-        return _filled(_language.find(pattern, _number(arguments.get('count'))), pattern, arguments) or text
-    for between in ("; ", ": "):
+        return _said(catalog, text)
+    found = catalog.find(text)
+    if found is None and " " in text:
+        found = _recognized(catalog, text) or _parts(catalog, text)
+    return found or text
+
+
+def _recognized(catalog, text):
+    """What was filled elsewhere, or ""."""
+    found = catalog.recognized(text)
+    return _filled(catalog, *found) if found else ""
+
+
+def _parts(catalog, text):
+    for between in _BETWEEN:
         if between in text:
-            parts = text.split(between)
-            return between.join(say(part) if " " in part else part for part in parts)
-    return text
+            return between.join(_say(catalog, part) if " " in part else part for part in text.split(between))
+    return ""
 
 
-def _said(sentence):
+def _said(catalog, sentence):
     """A Phrase as it is shown."""
-    key = sentence.one or sentence.pattern
-    found = _language.find(key, sentence.arguments.get('count'))
-    return _filled(found or sentence.pattern, sentence.pattern, sentence.arguments) or str(sentence)
+    found = catalog.find(sentence.one or sentence.pattern, sentence.arguments.get('count'))
+    if found is None and sentence.arguments:
+        found = _recognized(catalog, str(sentence))
+        return found or _filled(catalog, sentence.pattern, sentence.arguments) or str(sentence)
+    return _filled(catalog, found or sentence.pattern, sentence.arguments) or str(sentence)
 
 
-def _filled(translation, pattern, arguments):
+def _filled(catalog, translation, arguments):
     """A translated pattern with its arguments, or "" where it does not fit them."""
     try:
-        return translation.format(**{name: _argument(value) for name, value in arguments.items()}) if arguments else translation
+        return translation.format(**{name: _argument(catalog, value) for name, value in arguments.items()}) if arguments else translation
     except (LookupError, ValueError):
         return ""
 
 
-def _argument(value):
+def _argument(catalog, value):
     """What fills a pattern: phrases are translated, and sentences are recognized; a single word may be a user's name."""
     if isinstance(value, BaseException):
         value = value.args[0] if value.args and isinstance(value.args[0], str) else str(value)
-    return say(value) if isinstance(value, Phrase) or (isinstance(value, str) and " " in value) else value
-
-
-def _number(text):
-    digits = str(text or "").replace(",", "")
-    return int(digits) if digits.isdigit() else None
+    return _say(catalog, value) if isinstance(value, Phrase) or (isinstance(value, str) and " " in value) else value

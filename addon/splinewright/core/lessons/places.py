@@ -1,6 +1,7 @@
 """Parts of a lesson's file, which say where they are when they are refused."""
 
 from ..base.failures import Refusal
+from ..base.words import phrase
 
 #: Most entries of a list, characters of a text, and characters of a refusal.
 MOST_ENTRIES, MOST_TEXT, _MOST_SAID = 40, 2000, 1000
@@ -12,8 +13,9 @@ class Place:
     def __init__(self, where, found):
         self.where, self.found = where, found
 
-    def fail(self, what):
-        raise Refusal(f"{self.where}: {what if len(what) <= _MOST_SAID else what[:_MOST_SAID] + '…'}")
+    def fail(self, pattern, /, **arguments):
+        what = phrase(pattern, **arguments)
+        raise Refusal("{where}: {what}", where=self.where, what=what if len(what) <= _MOST_SAID else what[:_MOST_SAID] + "…")
 
     def fields(self, needed, optional=()):
         """Of an object: {name: Place} of the fields that are there."""

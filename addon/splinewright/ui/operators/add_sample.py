@@ -7,7 +7,7 @@ from bpy.props import EnumProperty
 
 from ...bridge.data import store, tessellate
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from . import polls, reports
 
 FOLDER = Path(__file__).resolve().parents[2] / "samples"
@@ -78,7 +78,7 @@ class SPLINEWRIGHT_OT_add_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if _is_library(context):
-            cls.poll_message_set("The samples are in the asset browser: library Splinewright")
+            cls.poll_message_set(say("The samples are in the asset browser: library Splinewright"))
             return False
         return True
 

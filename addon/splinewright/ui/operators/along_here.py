@@ -11,7 +11,7 @@ from ...bridge.net import live
 from ...bridge.recipes import recipes
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, sentence
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -24,9 +24,9 @@ class _Changes(Sideways):
     def poll(cls, context):
         nets = [ob for ob in editing.nets_in_edit_mode(context) if ob.type == 'CURVE']
         if not nets:
-            cls.poll_message_set("Edit the net of a Splinewright curve first")
+            cls.poll_message_set(say("Edit the net of a Splinewright curve first"))
         elif not any(map(_can_change, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return any(map(_can_change, nets))
 
     def nets(self, context):

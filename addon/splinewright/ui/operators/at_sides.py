@@ -4,7 +4,7 @@ import bpy
 
 from ...bridge.edit import replace_pieces
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import patch_join, polls, reports
@@ -107,7 +107,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
-            cls.poll_message_set("Select a patch shape in Object Mode")
+            cls.poll_message_set(say("Select a patch shape in Object Mode"))
             return False
         return True
 

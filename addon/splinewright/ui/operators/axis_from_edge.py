@@ -8,7 +8,7 @@ from ...bridge.follow import follow
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import edge_picking
 from ..ui_state import ui_state
 from . import polls, reports
@@ -36,7 +36,7 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
             return False
         ob = context.object
         if not shape.has_shape(ob) or ob.data.library or recipes.kind(ob.data) != 'revolve':
-            cls.poll_message_set("Select a shape that Revolve made")
+            cls.poll_message_set(say("Select a shape that Revolve made"))
             return False
         return True
 

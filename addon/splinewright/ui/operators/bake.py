@@ -6,7 +6,7 @@ from bpy.props import IntProperty
 from ...bridge.edit import baking
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import progress
 from . import polls, reports
 from .long_work import AtWork
@@ -34,7 +34,7 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not any(map(shape.has_shape, context.selected_objects)):
-            cls.poll_message_set("Select Splinewright shapes that move")
+            cls.poll_message_set(say("Select Splinewright shapes that move"))
             return False
         return True
 
@@ -56,7 +56,7 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
             return reports.failed(self, error)
         self._done = 0
         context.window_manager.progress_begin(0, count)
-        context.workspace.status_text_set(phrase("Baking {count} frames: Esc stops it", count=count))
+        context.workspace.status_text_set(say(phrase("Baking {count} frames: Esc stops it", count=count)))
         return self.begin_modal(context)
 
     def work_on(self, context):
@@ -130,7 +130,7 @@ class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
     bl_label = "Remove Baked Animation"
     bl_description = "Restore the shapes that were baked: they follow again, and can be edited"
     needs = "Select a shape that was baked"
-    done = "{} is live again"
+    done = "{what} is live again"
 
     @staticmethod
     def fits(ob):

@@ -20,7 +20,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
     bl_description = ("Close open ends of surfaces with patches that share their points; normals of a closed body point "
                       "outward")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    needs, done = "Select a shape of patches", "Capped {}"
+    needs, done = "Select a shape of patches", "Capped {what}"
     fits = staticmethod(replace_pieces.is_patch_shape)
     has_settings = True
 

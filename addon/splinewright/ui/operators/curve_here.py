@@ -9,7 +9,7 @@ from ...bridge.edit import replace_pieces
 from ...bridge.follow import neighboring_curves
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.meets import meeting
 from .. import active_shape, aim_overlay, picking
 from ..ui_state import ui_state
@@ -37,7 +37,7 @@ class _OnCurve(ByClick):
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replace_pieces.is_curve_shape, context.selected_objects)):
-            cls.poll_message_set("Select a curve shape in Object Mode")
+            cls.poll_message_set(say("Select a curve shape in Object Mode"))
             return False
         return super().poll(context)
 

@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.data import store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.joints import joints
 from .. import active_shape, scene_tolerance
 from . import polls, reports
@@ -67,7 +67,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = "Join pieces of a curve shape where their ends meet, and remove unnecessary knots"
     bl_options = {'REGISTER', 'UNDO'}
-    needs, done = "Select a curve shape", "Joined pieces of {}"
+    needs, done = "Select a curve shape", "Joined pieces of {what}"
     fits = staticmethod(replace_pieces.is_curve_shape)
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
@@ -98,7 +98,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
             return False
         chosen = context.selected_objects
         if context.object not in chosen or len(chosen) < 2 or not all(map(replace_pieces.is_curve_shape, chosen)):
-            cls.poll_message_set("Select two curve shapes or more, the one to keep last")
+            cls.poll_message_set(say("Select two curve shapes or more, the one to keep last"))
             return False
         return True
 

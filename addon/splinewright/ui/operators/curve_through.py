@@ -9,7 +9,7 @@ from bpy.props import BoolProperty
 from ...bridge.edit import grease_pencil
 from ...bridge.follow import follow
 from ...core.base.failures import Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import recipe_props
 from . import new_shapes
@@ -40,7 +40,7 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
     def can_take_objects(cls, context):
         if len(context.selected_objects) > 1 or _takes_strokes(context) and are_strokes_there(context):
             return True
-        cls.poll_message_set(_FEW)
+        cls.poll_message_set(say(_FEW))
         return False
 
     def warnings(self, new):

@@ -10,7 +10,7 @@ from ...bridge.edit import replace_pieces
 from ...core.analysis import measured
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.verbs import dividing
 from .. import progress
 from . import reports
@@ -51,7 +51,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or _is_curve(context.object):
             return True
-        cls.poll_message_set("Make a curve shape active")
+        cls.poll_message_set(say("Make a curve shape active"))
         return False
 
     def invoke(self, context, event):

@@ -11,7 +11,7 @@ from mathutils import Vector
 from ...bridge.shape import recipe_edit, shape
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.drawing import contours, guides
 from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
@@ -199,7 +199,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
             keys += ["Ctrl: steps of 15°", phrase("Numbers: {typed}", typed=typed), phrase("Tab: {other}",
                                                                        other=other), "Backspace: one back", "Enter: done",
                      "C, first point: close"]
-        context.workspace.status_text_set("   |   ".join([*keys, "Esc, Right Mouse: cancel"]))
+        context.workspace.status_text_set(say("   |   ".join([*keys, "Esc, Right Mouse: cancel"])))
         redraw()
 
     def _measures(self):

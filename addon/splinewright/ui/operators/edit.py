@@ -5,7 +5,7 @@ import bpy
 from ...bridge.cage import net_object
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import active_shape, editing, messages, progress, texts
 from . import polls, reports
 
@@ -22,7 +22,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
             return False
         reason = editing.why_not(active_shape.shape_of(context.object))
         if reason:
-            cls.poll_message_set(reason)
+            cls.poll_message_set(say(reason))
         return not reason
 
     def execute(self, context):
@@ -43,7 +43,7 @@ class _OnNets:
     @classmethod
     def poll(cls, context):
         if not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("No net is being edited")
+            cls.poll_message_set(say("No net is being edited"))
             return False
         return True
 

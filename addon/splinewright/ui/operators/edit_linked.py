@@ -3,7 +3,7 @@
 import bpy
 
 from ...bridge.shape import shape
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from . import polls, reports
 
 
@@ -18,12 +18,12 @@ class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not shape.has_shape(context.object) or not shape.file_of(context.object):
-            cls.poll_message_set("Select a shape that is linked from another file")
+            cls.poll_message_set(say("Select a shape that is linked from another file"))
             return False
         return True
 
     def invoke(self, context, event):
-        context.window_manager.popup_menu(_draw, title=told(context.object), icon='LIBRARY_DATA_DIRECT')
+        context.window_manager.popup_menu(_draw, title=say(told(context.object)), icon='LIBRARY_DATA_DIRECT')
         return {'CANCELLED'}
 
     def execute(self, context):

@@ -7,7 +7,7 @@ from ...bridge.data import store
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import editing, texts
 from . import polls, reports
 
@@ -36,14 +36,14 @@ class SPLINEWRIGHT_OT_edit_source(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not _shape_without_net(context.object):
-            cls.poll_message_set("Select a shape that follows another object")
+            cls.poll_message_set(say("Select a shape that follows another object"))
             return False
         return True
 
     def invoke(self, context, event):
         if self.source or len(_sources(context.object)) == 1 or _places(context.object):
             return self.execute(context)
-        context.window_manager.popup_menu(_draw_choice, title=_title(context.object), icon='QUESTION')
+        context.window_manager.popup_menu(_draw_choice, title=say(_title(context.object)), icon='QUESTION')
         return {'CANCELLED'}
 
     def execute(self, context):
@@ -73,7 +73,7 @@ def _title(ob):
 def _draw_choice(menu, context):
     layout = menu.layout
     for source in _sources(context.object):
-        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=f"Edit {source.name}", icon='EDITMODE_HLT').source = source.name
+        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=say(f"Edit {source.name}"), icon='EDITMODE_HLT').source = source.name
     if not _sources(context.object):
         texts.draw_note(layout, "Change them in the sidebar, or end that and edit its points", 60)
     layout.operator("splinewright.make_editable")
@@ -143,7 +143,7 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not editing.is_in_result(context):
-            cls.poll_message_set("No mesh or curve of a shape is being edited")
+            cls.poll_message_set(say("No mesh or curve of a shape is being edited"))
             return False
         return True
 

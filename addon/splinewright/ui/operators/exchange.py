@@ -13,7 +13,7 @@ from ...bridge.shape import shape
 from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal, sentence
 from ...core.base.library import sc
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.shape import definition as definitions
 from ...core.shape import transform
 from ...core.shape.definition import ANY_CURVES
@@ -144,7 +144,7 @@ class _Export(ExportHelper):
     @classmethod
     def poll(cls, context):
         if not _exported(context):
-            cls.poll_message_set("Select a Splinewright shape")
+            cls.poll_message_set(say("Select a Splinewright shape"))
             return False
         return True
 

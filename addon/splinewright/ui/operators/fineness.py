@@ -60,7 +60,7 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.set_patch_material"
     bl_label = "Set Patch Material"
     bl_description = "Assign the material of a slot to one patch or to all, also when the faces change"
-    done = "Set the material of {}"
+    done = "Set the material of {what}"
 
     piece: IntProperty(name="Patch", description="Which patch of the shape, counted from 1; 0 for all of them",
                        default=0, min=0, options={'SKIP_SAVE'})

@@ -6,7 +6,7 @@ from bpy.props import BoolProperty, EnumProperty, StringProperty
 from ...bridge.follow import follow, recipe_results
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.recipes.table import FOLLOW
 from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
@@ -33,7 +33,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not recipe_results.is_possible(context.object):
-            cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
+            cls.poll_message_set(say("Select a curve, a surface or a Splinewright shape"))
             return False
         return True
 
@@ -84,7 +84,7 @@ class SPLINEWRIGHT_OT_set_moving(OnFollowers, bpy.types.Operator):
     bl_label = "Set Motion"
     bl_description = "What happens when a shape that is made from other objects is moved, rotated or scaled"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    done = "Set how {} moves"
+    done = "Set how {what} moves"
 
     how: EnumProperty(name="Moves", items=[
         ('FREELY', "Freely", "It moves like any other object, and its inputs stay. It still follows them: what they change shows "

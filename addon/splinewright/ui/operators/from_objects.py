@@ -12,7 +12,7 @@ from ...bridge.follow import follow, recipe_results
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import active_shape, recipe_props, scene_tolerance
 from . import new_shapes, reports
@@ -42,8 +42,8 @@ class _FromObjects(LongWork, Repeatable):
         reason = cls._lacking(sources_of(context, cls.recipe))
         if reason:
             is_text = "curve" in reason and any(ob.type == 'FONT' for ob in context.selected_objects)
-            cls.poll_message_set(phrase("{reason}: Convert to Splinewright turns a text into curves",
-                                        reason=reason) if is_text else reason)
+            cls.poll_message_set(say(phrase("{reason}: Convert to Splinewright turns a text into curves",
+                                        reason=reason) if is_text else reason))
         return not reason
 
     @classmethod

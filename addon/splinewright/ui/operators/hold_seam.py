@@ -6,7 +6,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.data import held, store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.joints import patch_joints
 from ...core.joints.held import Held, are_one
 from ...core.verbs.patch_curves import SIDE_CHOICES
@@ -34,10 +34,10 @@ class OnWhatHolds:
     def poll(cls, context):
         ob = active_shape.shape_of(context.object)
         if ob is None or not cls.fits(ob):
-            cls.poll_message_set(f"Select a {cls.kind} shape, or edit its net")
+            cls.poll_message_set(say(f"Select a {cls.kind} shape, or edit its net"))
             return False
         if context.mode != 'OBJECT' and not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("Leave the present mode first")
+            cls.poll_message_set(say("Leave the present mode first"))
             return False
         return True
 
@@ -52,7 +52,7 @@ class OnWhatHolds:
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         warnings = (*warnings, *(editing.anew(context, nets) if nets else ()))
-        return reports.finished(self, reports.Report(f"{ob.name}: {said}", warnings=warnings))
+        return reports.finished(self, reports.Report(phrase("{name}: {said}", name=ob.name, said=said), warnings=warnings))
 
     def sides(self):
         return (self.first - 1, self.first_side), (self.second - 1, self.second_side)

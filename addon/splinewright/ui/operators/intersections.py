@@ -8,7 +8,7 @@ from ...bridge.follow import recipe_results
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.meets import meets
 from ...core.shape import transform
 from ...core.verbs import verbs
@@ -37,7 +37,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or any(map(recipe_results.is_possible, context.selected_objects)):
             return True
-        cls.poll_message_set("Select curves and surfaces")
+        cls.poll_message_set(say("Select curves and surfaces"))
         return False
 
     def tasks(self, context):

@@ -8,7 +8,7 @@ from ...bridge.data import store
 from ...bridge.edit import joining
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.joints.held import why_not
 from .. import texts
 from . import polls, reports
@@ -34,10 +34,10 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
             return False
         chosen, active = _joinable(context), context.object
         if active is None or not active.select_get() or not any(map(shape.has_shape, chosen)):
-            cls.poll_message_set("Select shapes, the one to keep last")
+            cls.poll_message_set(say("Select shapes, the one to keep last"))
             return False
         if len(chosen) < 2:
-            cls.poll_message_set("Select two or more shapes, all of curves or all of patches")
+            cls.poll_message_set(say("Select two or more shapes, all of curves or all of patches"))
             return False
         return True
 

@@ -12,7 +12,7 @@ from ...bridge.lessons import authoring, shelf, stage, trial
 from ...bridge.shape import shape
 from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.lessons import drafts, reading
 from ..ui_state import ui_state
 from . import polls, reports
@@ -75,7 +75,7 @@ class _Making:
         if not polls.in_object_mode(cls, context):
             return False
         if stage.lesson_of(context.scene):
-            cls.poll_message_set("Leave the lesson of this scene first")
+            cls.poll_message_set(say("Leave the lesson of this scene first"))
             return False
         return True
 
@@ -92,7 +92,7 @@ class _OnDraft(_Making):
         if not super().poll(context):
             return False
         if getattr(context.scene, _LESSON) is None:
-            cls.poll_message_set("Make a lesson first")
+            cls.poll_message_set(say("Make a lesson first"))
             return False
         return True
 

@@ -9,7 +9,7 @@ from ...bridge.lessons import shelf, stage
 from ...bridge.net import live, selection
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import editing
 from ..ui_state import ui_state
 from . import reports
@@ -52,7 +52,7 @@ class _OfLesson:
     @classmethod
     def poll(cls, context):
         if not stage.lesson_of(context.scene):
-            cls.poll_message_set("Start a lesson first")
+            cls.poll_message_set(say("Start a lesson first"))
             return False
         return True
 
@@ -87,7 +87,7 @@ class SPLINEWRIGHT_OT_lesson_step(_OfLesson, bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return cls.bl_rna.properties['way'].enum_items[properties.way].description
+        return say(cls.bl_rna.properties['way'].enum_items[properties.way].description)
 
     def done(self, context, scene, lesson):
         number = stage.step_of(scene)

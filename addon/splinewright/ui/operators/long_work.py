@@ -6,7 +6,7 @@ import time
 import bpy
 
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from . import reports
 from .gesture import Gesture
 
@@ -126,5 +126,5 @@ class LongWork(AtWork):
         seconds = int(time.monotonic() - self._began)
         if seconds != self._said:
             self._said = seconds
-            context.workspace.status_text_set(phrase("{label}: at work for {seconds} s   |   Esc: stop, nothing changes",
-                                                     label=phrase(self.bl_label), seconds=seconds))
+            context.workspace.status_text_set(say(phrase("{label}: at work for {seconds} s   |   Esc: stop, nothing changes",
+                                                     label=phrase(self.bl_label), seconds=seconds)))

@@ -21,7 +21,7 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
     bl_description = ("Make exact circles and surfaces of revolution cubic and smooth around, without weights, for "
                       "sculpting, within the tolerance")
     bl_options = {'REGISTER', 'UNDO'}
-    needs, done = "Select a shape", "Made {} deformable"
+    needs, done = "Select a shape", "Made {what} deformable"
     fits = staticmethod(shape.has_shape)
 
     tolerance: scene_tolerance_property("How far it may lie from the exact one")

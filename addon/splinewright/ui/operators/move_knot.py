@@ -7,7 +7,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from ...bridge.edit import moving_knots
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES, Refusal, sentence
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.verbs import knot_strip
 from .. import knot_strip as strip
 from .. import active_shape, editing
@@ -46,7 +46,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not active_shape.shapes(context):    # of those that are not to be changed the refusal tells
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
             return False
         return True
 
@@ -102,7 +102,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
         self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
         self._note = ""
         self._drag, self._refused = None, ""
-        context.workspace.status_text_set(_KEYS)
+        context.workspace.status_text_set(say(_KEYS))
         return self.begin_modal(context)
 
     def step(self, context, event):

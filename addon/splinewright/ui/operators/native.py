@@ -32,7 +32,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_label = "Convert to Splinewright"
     bl_description = "Convert selected curves, surfaces and texts of Blender to Splinewright shapes of the same geometry"
     needs = "Select a curve or surface that is no Splinewright shape, or a text"
-    done = "Made {} exact"
+    done = "Made {what} exact"
     fits = staticmethod(_is_native)
 
     def work(self, context, ob):
@@ -44,7 +44,7 @@ class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_label = "Convert to Blender Curve/Surface"
     bl_description = "Convert selected Splinewright shapes to Blender curves and surfaces of the same geometry"
     needs = "Select a Splinewright shape"
-    done = "Made {} Blender's own"
+    done = "Made {what} Blender's own"
     fits = staticmethod(shape.has_shape)
 
     def work(self, context, ob):

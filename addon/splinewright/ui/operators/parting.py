@@ -47,7 +47,7 @@ class SPLINEWRIGHT_OT_delete_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.delete_pieces"
     bl_label = "Delete Piece"
     bl_description = "Delete a curve or patch of the shape: the chosen one, or in a net that of the selected points"
-    done = "Deleted pieces of {}"
+    done = "Deleted pieces of {what}"
 
     def work(self, context, ob):
         outcome = parting.delete(ob.data, self.numbers(context, ob))
@@ -71,7 +71,7 @@ class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.separate_pieces"
     bl_label = "Separate Piece"
     bl_description = "Separate a curve or patch into a new shape: the chosen one, or in a net the selected one"
-    done = "Separated {}"
+    done = "Separated {what}"
 
     def work(self, context, ob):
         return _separated(ob, [self.numbers(context, ob)])
@@ -86,7 +86,7 @@ class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
     bl_description = "Separate every curve or patch of a shape into a new shape; materials, attributes and modifiers are kept"
     needs = "Select a shape of several pieces"
     fits = staticmethod(lambda ob: shape.has_shape(ob) and active_shape.count_of(ob.data) > 1)
-    done = "Exploded {}"
+    done = "Exploded {what}"
 
     def work(self, context, ob):
         return _separated(ob, [[number] for number in range(active_shape.count_of(ob.data))])

@@ -4,7 +4,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from ...bridge.shape import shape
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import polls, reports
@@ -79,10 +79,10 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not shape.has_shape(context.object):
-            cls.poll_message_set("Select a Splinewright shape")
+            cls.poll_message_set(say("Select a Splinewright shape"))
             return False
         if context.object.data.library:
-            cls.poll_message_set("The shape is linked from another file: make it local first")
+            cls.poll_message_set(say("The shape is linked from another file: make it local first"))
             return False
         return True
 

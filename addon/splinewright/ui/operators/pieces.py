@@ -12,7 +12,7 @@ from ...bridge.data import held, store
 from ...bridge.edit import replace_pieces
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.joints import seams
 from ...core.verbs import verbs
 from .. import active_shape, editing, scene_tolerance
@@ -87,7 +87,7 @@ class OnPieces(OnSelected):
         if not nets:
             return super().poll(context)
         if not any(map(cls.fits, map(net_object.shape_of, nets))):
-            cls.poll_message_set("The net is of another kind of shape")
+            cls.poll_message_set(say("The net is of another kind of shape"))
             return False
         return True
 

@@ -6,7 +6,7 @@ from ...core.base.words import say
 def in_object_mode(cls, context):
     """For poll(): whether Object Mode is on."""
     if context.mode != 'OBJECT':
-        cls.poll_message_set("Leave the present mode first")
+        cls.poll_message_set(say("Leave the present mode first"))
         return False
     return True
 

@@ -9,7 +9,7 @@ from ...bridge.shape import shape
 from ...core.analysis import measured
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.meets import projecting
 from .. import progress
 from . import reports
@@ -33,7 +33,7 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or (shape.has_shape(context.object) and _meshes(context)):
             return True
-        cls.poll_message_set("Select meshes, and then the shape onto which their points go")
+        cls.poll_message_set(say("Select meshes, and then the shape onto which their points go"))
         return False
 
     def tasks(self, context):

@@ -9,7 +9,7 @@ from ...bridge.net import keyed
 from ...bridge.recipes import placing, recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal, blenders_refusals, sentence
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.recipes.table import RECIPES
 from .. import edges_overlay, picking
 from ..ui_state import ui_state
@@ -32,7 +32,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
             return False
         reason = "" if _is_rounded(context.object) else from_objects.lacking(context, _RECIPE)
         if reason:
-            cls.poll_message_set(reason)
+            cls.poll_message_set(say(reason))
         return not reason
 
     def invoke(self, context, event):

@@ -3,6 +3,7 @@
 import bpy
 
 from ...bridge.edit import self_test
+from ...core.base.words import say
 from .. import progress
 from . import reports
 
@@ -33,8 +34,8 @@ class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
 def _show(context, lines):
     def draw(popup, _context):
         for line in lines:
-            popup.layout.label(text=line)
-    context.window_manager.popup_menu(draw, title="Self-Test", icon='CHECKMARK')
+            popup.layout.label(text=say(line))
+    context.window_manager.popup_menu(draw, title=say("Self-Test"), icon='CHECKMARK')
 
 
 CLASSES = (SPLINEWRIGHT_OT_self_test,)

@@ -8,7 +8,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ...core.meets import touching
 from ...core.shape import transform
 from ...core.verbs import verbs
@@ -37,7 +37,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
             return False
         if cls.has_made(context) or any(map(_is_curve, context.selected_objects)):
             return True
-        cls.poll_message_set(_NEEDS)
+        cls.poll_message_set(say(_NEEDS))
         return False
 
     def tasks(self, context):

@@ -3,7 +3,7 @@
 import bpy
 from bpy.props import EnumProperty
 
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from ..tool_table import TOOLS
 from . import reports
 
@@ -20,12 +20,12 @@ class SPLINEWRIGHT_OT_use_tool(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return TOOLS[properties.tool].description
+        return say(TOOLS[properties.tool].description)
 
     @classmethod
     def poll(cls, context):
         if bpy.app.background or context.area is None or context.area.type != 'VIEW_3D':
-            cls.poll_message_set("Tools are in the toolbar of 3D views")
+            cls.poll_message_set(say("Tools are in the toolbar of 3D views"))
             return False
         return True
 

@@ -11,7 +11,7 @@ from ...bridge.net import live, selection, weighing
 from ...bridge.recipes import recipes
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal, sentence
-from ...core.base.words import phrase
+from ...core.base.words import phrase, say
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -41,9 +41,9 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
     def poll(cls, context):
         nets = editing.nets_in_edit_mode(context)
         if not nets:
-            cls.poll_message_set("Edit the net of a Splinewright shape first")
+            cls.poll_message_set(say("Edit the net of a Splinewright shape first"))
         elif not any(map(has_weights, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return any(map(has_weights, nets))
 
     def draw(self, context):
