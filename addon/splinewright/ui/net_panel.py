@@ -47,10 +47,10 @@ def draw_state(layout, ob):
         texts.draw_problem(layout, live.problem(ob) or "The shape of this net was deleted, or is in no scene")
         return
     if ob.mode == 'EDIT':
-        layout.operator("splinewright.leave_net", text=say(f"Done with {texts.short(owner.name)}"), icon='CHECKMARK')
+        layout.operator("splinewright.leave_net", text=say(phrase("Done with {name}", name=texts.short(owner.name))), icon='CHECKMARK')
         layout.prop(overlays_of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
     else:
-        layout.operator("splinewright.edit_net", text=say(f"Continue with {texts.short(owner.name)}"), icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=say(phrase("Continue with {name}", name=texts.short(owner.name))), icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)

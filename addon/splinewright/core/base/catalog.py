@@ -1,9 +1,9 @@
 """A language: translations from a .po file, as ordinary tools write it."""
 
 import re
+from functools import cache
 from gettext import c2py
 
-_STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 _HOLE = re.compile(r"(?<!\{)\{([a-z]\w*)(![rs])?(?::[^{}]*)?\}")
 _ESCAPED = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
 #: Of letters that a pattern has beside its holes, the least by which a sentence is recognized.
@@ -24,14 +24,15 @@ class Catalog:
         forms = self._by_text.get(text)
         if forms is None:
             return None
-        return forms[min(self._form_of(int(count)), len(forms) - 1) if isinstance(count, int) else -1]
+        return forms[min(self._form_of(int(count)), len(forms) - 1) if hasattr(count, '__index__') else -1]
 
     def recognized(self, text):
         """(translation, {name: text}) of a sentence that was filled elsewhere, or None; of several patterns the one that is filled least."""
         if self._patterns is None:
-            self._patterns = _compiled(self._by_text, self._plurals)
-        found = [(sum(map(len, match.groups())), key, match) for word in {_first(text), ""} for key, pattern in self._patterns.get(word, ())
-                 if (match := pattern.fullmatch(text))]
+            self._patterns = _patterns_of(self._by_text, self._plurals)
+        found = [(sum(map(len, match.groups())), key, match)
+                 for word in {_first(text), ""} for longest, key, pattern in self._patterns.get(word, ())
+                 if longest in text and (match := _expression(pattern).fullmatch(text))]
         if not found:
             return None
         _, key, match = min(found, key=lambda one: one[:2])
@@ -58,17 +59,19 @@ def _bare(translation):
     return _HOLE.sub(lambda hole: f"{{{hole[1]}}}", translation)
 
 
-def _compiled(texts, plurals):
-    """{first word, "" where that is filled in: [(text, what a sentence must be to come of it)]}."""
+def _patterns_of(texts, plurals):
+    """{first word, "" where that is filled in: [(the longest of what it has beside its holes, text, pattern)]}."""
     found = {}
     for text in texts:
         for pattern in (text, plurals.get(text, "")):
-            if _HOLE.search(pattern) and len(re.findall(r"[^\W\d]", _HOLE.sub("", pattern))) >= _LEAST:
+            between = [part.replace("{{", "{").replace("}}", "}") for part in _HOLE.split(pattern)[::3]]
+            if len(between) > 1 and sum(map(str.isalpha, "".join(between))) >= _LEAST:
                 word = _first(pattern)
-                found.setdefault("" if "{" in word else word, []).append((text, re.compile(_expression(pattern), re.S)))
-    return {word: tuple(patterns) for word, patterns in found.items()}
+                found.setdefault("" if "{" in word else word, []).append((max(between, key=len), text, pattern))
+    return found
 
 
+@cache
 def _expression(pattern):
     """A regular expression for a pattern: what fills a hole twice is equal."""
     expression, end, seen = "", 0, set()
@@ -78,7 +81,7 @@ def _expression(pattern):
         expression += f"(?P={name})" if name in seen else f"(?P<{name}>.+?)"
         seen.add(name)
         end = hole.end()
-    return expression + re.escape(pattern[end:].replace("{{", "{").replace("}}", "}"))
+    return re.compile(expression + re.escape(pattern[end:].replace("{{", "{").replace("}}", "}")), re.S)
 
 
 def holes(text):
@@ -86,38 +89,33 @@ def holes(text):
     return {hole[1] for hole in _HOLE.finditer(text)}
 
 
+#: Strings fill whole lines, as every tool writes them.
+_STRINGS = r'((?:".*"(?:\n|$))+)'
+_ENTRY = re.compile(rf'((?:#.*\n)*)(?:msgctxt {_STRINGS})?msgid {_STRINGS}(?:msgid_plural {_STRINGS})?((?:msgstr(?:\[\d\])? {_STRINGS})+)')
+_FORM = re.compile(rf'msgstr(?:\[\d\])? {_STRINGS}')
+_ESCAPE = re.compile(r"\\(.)")
+
+
 def read(text):
-    """The Catalog of a .po file's text. What is not translated, or marked as unsure, is left out."""
-    entries = list(_entries(text))
-    header = next((entry['msgstr'][0] for entry in entries if not entry['msgid']), "")
-    rule = re.search(r"plural=([^;\n]+);?", header)
-    texts, plurals = {}, {}
-    for entry in entries:
-        if entry['msgid'] and all(entry['msgstr'].values()) and not entry['fuzzy']:
-            texts[entry['msgctxt'] or "*", entry['msgid']] = [form for _, form in sorted(entry['msgstr'].items())]
-            if entry['msgid_plural']:
-                plurals[entry['msgid']] = entry['msgid_plural']
-    return Catalog(texts, c2py(rule[1]) if rule else (lambda number: int(number != 1)), plurals)
+    """The Catalog of a .po file's text. What is not translated, or marked as unsure, is left out; obsolete entries are comments there."""
+    texts, plurals, rule = {}, {}, None
+    for comments, context, original, plural, translated, _ in _ENTRY.findall(text.replace("\r\n", "\n")):
+        forms = [_plain(form) for form in _FORM.findall(translated)]
+        original = _plain(original)
+        if not original:
+            rule = re.search(r"plural=([^;\n]+)", forms[0])
+        elif all(forms) and not ("fuzzy" in comments and re.search(r"^#,.*\bfuzzy", comments, re.M)):
+            texts[_plain(context) or "*", original] = forms
+            if plural:
+                plurals[original] = _plain(plural)
+    return Catalog(texts, c2py(rule[1]) if rule else _as_in_english, plurals)
 
 
-def _entries(text):
-    """The entries as dictionaries; obsolete ones are comments."""
-    for block in re.split(r"\n\s*\n", text.replace("\r\n", "\n")):
-        entry = {'msgctxt': "", 'msgid': None, 'msgid_plural': "", 'msgstr': {}, 'fuzzy': False}
-        name = None
-        for line in block.split("\n"):
-            if line.startswith("#"):
-                entry['fuzzy'] |= line.startswith("#,") and "fuzzy" in line
-                continue
-            keyword = re.match(r"(msg\w+)(?:\[(\d+)\])?\s", line)
-            if keyword:
-                name, form = keyword[1], int(keyword[2] or 0)
-            said = _STRING.search(line)
-            if said and name:
-                piece = re.sub(r"\\(.)", lambda found: _ESCAPED.get(found[1], found[1]), said[1])
-                if name == 'msgstr':
-                    entry['msgstr'][form] = entry['msgstr'].get(form, "") + piece
-                else:
-                    entry[name] = (entry[name] or "") + piece
-        if entry['msgid'] is not None:
-            yield entry
+def _as_in_english(number):
+    return int(number != 1)
+
+
+def _plain(strings):
+    """What the strings of a file say."""
+    joined = "".join(line[1:-1] for line in strings.splitlines())
+    return _ESCAPE.sub(lambda found: _ESCAPED.get(found[1], found[1]), joined) if "\\" in joined else joined

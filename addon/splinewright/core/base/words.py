@@ -59,7 +59,9 @@ def _say(catalog, text):
 def _recognized(catalog, text):
     """What was filled elsewhere, or ""."""
     found = catalog.recognized(text)
-    return _filled(catalog, *found) if found else ""
+    if not found or any(between in value for value in found[1].values() for between in _BETWEEN[:-1]):
+        return ""                       # several sentences
+    return _filled(catalog, *found)
 
 
 def _parts(catalog, text):

@@ -73,7 +73,7 @@ def _title(ob):
 def _draw_choice(menu, context):
     layout = menu.layout
     for source in _sources(context.object):
-        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=say(f"Edit {source.name}"), icon='EDITMODE_HLT').source = source.name
+        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=say(phrase("Edit {name}", name=source.name)), icon='EDITMODE_HLT').source = source.name
     if not _sources(context.object):
         texts.draw_note(layout, "Change them in the sidebar, or end that and edit its points", 60)
     layout.operator("splinewright.make_editable")

@@ -33,7 +33,7 @@ def _knot():
 
 
 class _OnJoint(OnWhatHolds):
-    kind, fits = "curve", staticmethod(replace_pieces.is_curve_shape)
+    wanted, fits = "Select a curve shape, or edit its net", staticmethod(replace_pieces.is_curve_shape)
 
     def sides(self, data):
         """As of a core.joints.held.Held. Raises Refusal where there are none."""

@@ -28,13 +28,13 @@ def _side():
 class OnWhatHolds:
     """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out again."""
 
-    kind, fits = "patch", staticmethod(replace_pieces.is_patch_shape)
+    wanted, fits = "Select a patch shape, or edit its net", staticmethod(replace_pieces.is_patch_shape)
 
     @classmethod
     def poll(cls, context):
         ob = active_shape.shape_of(context.object)
         if ob is None or not cls.fits(ob):
-            cls.poll_message_set(say(f"Select a {cls.kind} shape, or edit its net"))
+            cls.poll_message_set(say(cls.wanted))
             return False
         if context.mode != 'OBJECT' and not editing.nets_in_edit_mode(context):
             cls.poll_message_set(say("Leave the present mode first"))

@@ -3,7 +3,7 @@
 import bpy
 
 from ...bridge.edit import self_test
-from ...core.base.words import say
+from ...core.base.words import phrase, say
 from .. import progress
 from . import reports
 
@@ -25,7 +25,7 @@ class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
         print(said)
         context.window_manager.clipboard = said
         if failed:
-            return reports.cancelled(self, f"Failed: {', '.join(failed)}. All of it is in the clipboard")
+            return reports.cancelled(self, phrase("Failed: {names}. All of it is in the clipboard", names=', '.join(failed)))
         if not bpy.app.background:
             _show(context, lines)
         return reports.finished(self, reports.Report("Everything works: what was tried is in the clipboard"))
