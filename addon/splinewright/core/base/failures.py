@@ -9,7 +9,7 @@ import traceback
 from contextlib import contextmanager
 
 from .library import sc
-from .words import phrase
+from .words import Phrase, phrase
 
 
 class Refusal(ValueError):
