@@ -56,7 +56,7 @@ def content(version, modules, bindings, wheels):
     """Pairs of a path inside the zip and its bytes."""
     known = addresses((ADDON / "ui/addresses.py").read_text())
     for path in sorted(ADDON.rglob("*")):
-        if path.is_dir() or "__pycache__" in path.parts:
+        if path.is_dir() or "__pycache__" in path.parts or path.suffix == ".pot":
             continue
         data = path.read_bytes()
         if path.parent == ADDON and path.name in ("__init__.py", "blender_manifest.toml"):

@@ -34,6 +34,7 @@ from .bridge.shape import recipe_edit, shape
 from .core.base import library
 from .core.base.failures import Refusal, WrongKind
 from .core.base.library import sc as splinecore
+from .core.base.words import phrase
 from .core.recipes.table import RECIPES
 
 if library.problem:
@@ -164,10 +165,10 @@ def make(name, inputs=(), settings=None, points=None, axis_object=None, collecti
         _require_object(source)
     if found.inputs or found.has_places:
         if points is not None:
-            raise Refusal(f"{found.label} is made from objects: it takes no points")
+            raise Refusal("{label} is made from objects: it takes no points", label=phrase(found.label))
         ob = making.from_objects(found, sources, given, axis_object, bpy.context.scene, _depsgraph())
     elif sources or axis_object is not None:
-        raise Refusal(f"{found.label} is made from numbers and points: it takes no objects")
+        raise Refusal("{label} is made from numbers and points: it takes no objects", label=phrase(found.label))
     else:
         data = making.from_points(found, points, given, bpy.context.scene)
         ob = bpy.data.objects.new(data.name, data)
@@ -317,9 +318,9 @@ def _place(collection):
     """The collection for a new object. Raises Refusal where it takes none."""
     place = bpy.context.collection if collection is None else collection
     if not isinstance(place, bpy.types.Collection):
-        raise WrongKind(f"a collection of Blender's is expected, not {place!r}")
+        raise WrongKind("a collection of Blender's is expected, not {place!r}", place=place)
     if place.library or place.override_library or bpy.context.scene.library:
-        raise Refusal(f"the collection {place.name} is linked from another file")
+        raise Refusal("the collection {name} is linked from another file", name=place.name)
     return place
 
 
@@ -330,25 +331,25 @@ def _linked(ob, place):
 
 def _require_object(given):
     if not isinstance(given, bpy.types.Object):
-        raise WrongKind(f"an object of Blender's is expected, not {given!r}")
+        raise WrongKind("an object of Blender's is expected, not {given!r}", given=given)
 
 
 def _data(given):
     """The data-block of a shape."""
     _require_object(given)
     if not shape.has_shape(given):
-        raise Refusal(f"{given.name} is not a Splinewright shape")
+        raise Refusal("{name} is not a Splinewright shape", name=given.name)
     return given.data
 
 
 def _require_recipe(given):
     if not recipes.has(_data(given)):
-        raise Refusal(f"{given.name} has no recipe")
+        raise Refusal("{name} has no recipe", name=given.name)
 
 
 def _recipe(name):
     if name not in RECIPES:
-        raise Refusal(f"there is no recipe {name!r}: recipe_names() lists them")
+        raise Refusal("there is no recipe {name!r}: recipe_names() lists them", name=name)
     return RECIPES[name]
 
 

@@ -3,7 +3,7 @@
 import bpy
 
 from ..core.base import library
-from . import manual, preferences
+from . import languages, manual, preferences
 
 
 def _rooms():
@@ -36,7 +36,7 @@ def _rooms():
 
 def _all_rooms():
     """Without the library only what helps to mend that."""
-    return (manual, preferences, *(() if library.problem else _rooms()))
+    return (languages, manual, preferences, *(() if library.problem else _rooms()))
 
 
 def register():

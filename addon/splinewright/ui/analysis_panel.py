@@ -7,6 +7,7 @@ from ..bridge.analysis import deviations
 from ..bridge.cage import net_object
 from ..bridge.data.settings import overlays_of
 from ..bridge.shape import shape
+from ..core.base.words import say
 from . import analysis_overlay, object_kinds, texts
 from .sub_panel import ClosedPanel
 
@@ -44,7 +45,7 @@ class SPLINEWRIGHT_PT_analysis(ClosedPanel, bpy.types.Panel):
         drawn = set()                   # one setting may belong to several switches
         for label, switches in _concerned(context):
             column = self.layout.column(align=True)
-            column.label(text=label)
+            column.label(text=say(label))
             for switch, settings in switches:
                 column.prop(chosen, switch)
                 if getattr(chosen, switch):

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.base.words import say
 from . import preferences
 
 #: Of a seam whose continuity is not known.
@@ -59,7 +60,7 @@ def draw_legend(layout):
     if isinstance(wanted, bpy.types.AddonPreferences):
         grid = layout.grid_flow(columns=2, even_columns=True, align=True)
         for name, text in SEAMS.values():
-            grid.prop(wanted, name, text=text)
+            grid.prop(wanted, name, text=say(text))
 
 
 def _opaque(color):

@@ -7,6 +7,7 @@ from ..bridge.data import store
 from ..bridge.follow import follow, recipe_results
 from ..bridge.recipes import late, placing, recipes
 from ..bridge.shape import shape
+from ..core.base.words import phrase, say
 from . import active_shape, recipe_props, texts
 from .sub_panel import SidePanel
 
@@ -56,14 +57,14 @@ def _names(sources, frames):
     """What a shape follows, in words; of many objects how many."""
     names = [source.name for source in sources if source]
     count = len(frames) if not sources else len(names) if len(sources) > 2 else 0
-    return f"{count} objects" if count else " and ".join(names)
+    return phrase("{count} objects", count=count) if count else " and ".join(names)
 
 
 def _draw_moving(layout, ob):
     is_free = placing.moves_freely(ob.data)
     row = layout.row(align=True)
     for how, text, is_so in (('FREELY', "Moves Freely", is_free), ('WITH_INPUTS', "Stays on Inputs", not is_free)):
-        row.operator("splinewright.set_moving", text=text, depress=is_so).how = how
+        row.operator("splinewright.set_moving", text=say(text), depress=is_so).how = how
     if placing.is_away(ob.data, ob):
         texts.draw_note(layout, "Moved away from its inputs")
 
@@ -78,7 +79,7 @@ def _draw_update(layout, data):
         row.operator("splinewright.update_now", icon='FILE_REFRESH')
     if late.is_late(data) and not is_stopped:
         when = "it waits for Update Now" if is_manual else "it is updated when the mouse rests"
-        texts.draw_note(layout, f"Its inputs changed: {when}")
+        texts.draw_note(layout, phrase("Its inputs changed: {when}", when=when))
 
 
 def _draw_following(layout, ob):
@@ -91,7 +92,7 @@ def _draw_following(layout, ob):
         layout.operator("splinewright.make_editable")
         return
     row = layout.row()
-    texts.draw_note(row, f"Follows {_names(sources, frames) or 'nothing any more'}", icon='LINKED')
+    texts.draw_note(row, phrase("Follows {names}", names=_names(sources, frames) or 'nothing any more'), icon='LINKED')
     are_hidden = all(source is None or source.hide_get() for source in sources)
     if sources:
         row.operator("splinewright.show_inputs", text="", icon='HIDE_ON' if are_hidden else 'HIDE_OFF').how = (
@@ -101,7 +102,7 @@ def _draw_following(layout, ob):
         texts.draw_problem(layout, problem)
     else:
         for text in recipe_results.not_followed_by(data, sources):
-            texts.draw_note(layout, f"Not followed: {text}")
+            texts.draw_note(layout, phrase("Not followed: {text}", text=text))
     _draw_update(layout, data)
     _draw_moving(layout, ob)
     column = layout.column(align=True)

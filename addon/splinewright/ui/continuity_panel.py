@@ -9,6 +9,7 @@ from ..bridge.cage import net_object
 from ..bridge.data import held, store
 from ..bridge.edit import replace_pieces
 from ..bridge.net import live
+from ..core.base.words import phrase, say
 from ..core.joints import continuity, held_joints
 from . import active_shape, colors, texts
 from .sub_panel import ClosedPanel
@@ -38,7 +39,9 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
         data = active_shape.shape_of(context.object).data
         is_surface = isinstance(data, bpy.types.Mesh)
         if survey.bendable:
-            texts.draw_note(self.layout, f"Pulled at {survey.bendable:,} knots inside it may crease: deformable or rebuilt it stays smooth")
+            texts.draw_note(self.layout, phrase("Pulled at {count:,} knots inside it may crease: deformable or rebuilt it "
+                                                "stays smooth",
+                                                count=survey.bendable))
         if not survey.count:
             self.layout.label(text="No seams" if is_surface else "No joints")
             return
@@ -56,7 +59,7 @@ def _draw_in_columns(layout, items):
     """One text, or three of which the last has most room."""
     for item, share in zip(items, (0.3, 0.43, 1.0) if len(items) > 1 else (1.0,)):
         layout = layout.split(factor=share)
-        layout.label(text=item)
+        layout.label(text=say(item))
 
 
 class _Locks:
@@ -101,7 +104,7 @@ class _Locks:
             return
         layout = layout.row()
         layout.enabled = self._can_change
-        operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=holds.smoothness if holds else "",
+        operator = layout.operator(f"splinewright.{'release' if holds else 'hold'}_{self._of}", text=say(holds.smoothness if holds else ""),
                                    icon='LOCKED' if holds else 'UNLOCKED')
         operator.first, operator.second = first[0] + 1, second[0] + 1
         if self._of == "seam":
@@ -116,16 +119,16 @@ def _draw_joints(layout, survey, locks):
     for joint in survey.joints:
         box = layout.box().column(align=True)
         row = box.split(factor=0.6) if len(joint.name) <= _SHORT and not locks.holds(joint) else box
-        row.label(text=joint.name)
+        row.label(text=say(joint.name))
         row = row.row(align=True)
-        row.label(text=kind(joint))
+        row.label(text=say(kind(joint)))
         locks.draw(row, joint)
         _draw_in_columns(box, numbers(joint))
     for reason in locks.reasons:
         texts.draw_note(layout, reason)
     hidden = survey.count - len(survey.joints)
     if hidden:
-        layout.label(text=f"and {hidden:,} more")
+        layout.label(text=say(phrase("and {hidden:,} more", hidden=hidden)))
 
 
 def kind(joint):

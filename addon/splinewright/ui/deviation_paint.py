@@ -10,6 +10,7 @@ from ..bridge.analysis import deviations, overlays
 from ..core.analysis import deviations as measures
 from ..core.base import length_units
 from ..core.base.failures import FAILURES
+from ..core.base.words import phrase
 from . import legend, line_batches, surface_shader, timers
 from .ui_state import ui_state
 
@@ -77,11 +78,11 @@ def _notes(shown, unit):
     if shown.obs:
         largest, mean = measures.over_all([deviation for _, deviation in shown.obs])
         about = "" if shown.share == 1.0 else "≈ "
-        notes.append(f"Largest {about}{length_units.text(largest, unit)}")
+        notes.append(phrase("Largest {about}{largest}", about=about, largest=length_units.text(largest, unit)))
         if len({ob.type for ob, _ in shown.obs}) == 1:
-            notes.append(f"Mean {about}{length_units.text(mean, unit)}")
+            notes.append(phrase("Mean {about}{mean}", about=about, mean=length_units.text(mean, unit)))
     if shown.share < 1.0 and (shown.share > 0.0 or not shown.obs):
-        notes.append(f"Measuring: {100 * shown.share:.0f} %")
+        notes.append(phrase("Measuring: {share:.0f} %", share=100 * shown.share))
     return notes
 
 

@@ -13,6 +13,7 @@ from ..bridge.net import live, magnet, selection
 from ..bridge.recipes import recipes
 from ..bridge.shape import recipe_edit, shape
 from ..core.base.failures import FAILURES, Refusal, sentence, text_of
+from ..core.base.words import phrase
 from . import progress
 from .ui_state import ui_state
 
@@ -117,7 +118,7 @@ def enter(context, active, progress=shape.no_progress):
     if put_out[0].mode != 'EDIT':
         for ob in made:
             put_away(context, ob)
-        raise Refusal(f"{active.name} is not in the current view layer: its net cannot be edited from here")
+        raise Refusal("{name} is not in the current view layer: its net cannot be edited from here", name=active.name)
     for ob in put_out:
         if ob not in made:
             live.sync_from_cage(ob)
@@ -167,8 +168,9 @@ def _is_left_behind(ob, space):
 def _brought_back(context, held):
     """A net that was kept, where it can be edited."""
     if not _is_in(context.view_layer, held):
-        raise Refusal(f"{held.name} holds changes that its shape has not taken, and is not in the current view layer: "
-                      "continue where it is, or delete it")
+        raise Refusal("{name} holds changes that its shape has not taken, and is not in the current view layer: continue where it "
+                      "is, or delete it",
+                      name=held.name)
     held.hide_viewport = False
     held.hide_set(False)
     return held
@@ -242,7 +244,7 @@ def anew(context, nets):
     try:
         out = enter(context, active)
     except FAILURES as error:
-        return (f"the net did not come out again: {sentence(error)}",)
+        return (phrase("the net did not come out again: {error}", error=sentence(error)),)
     for ob in out:
         session, owner = live.session(ob.data), net_object.shape_of(ob)
         if owner.name in selections:

@@ -13,6 +13,7 @@ from ..bridge.data import versions
 from ..bridge.data.file_state import block_of, ended_operators, key, state
 from ..bridge.follow import follow, updating
 from ..bridge.recipes import late
+from ..core.base.words import phrase
 from .operators.long_work import Work
 from .ui_state import ui_state
 
@@ -95,9 +96,11 @@ class Finishing:
     def sentence(self):
         """The current work in words."""
         expected = self._expected()
-        about = f" of about {expected:.0f} s" if expected > max(1.0, self._seconds()) else " s"
+        about = phrase(" of about {expected:.0f} s", expected=expected) if expected > max(1.0, self._seconds()) else " s"
         more = len(self._due()) - 1
-        return f"Updating {_called(self._name)}: {self._seconds():.0f}{about}" + (f", {more} more to come" if more > 0 else "")
+        return phrase("Updating {name}: {seconds:.0f}{about}",
+                      name=_called(self._name), seconds=self._seconds(), about=about) + (phrase(", {more} more to come",
+                                                                                         more=more) if more > 0 else "")
 
     def _seconds(self):
         return late.clock() - self._began

@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge.data import store
 from ..bridge.shape import shape
+from ..core.base.words import say
 from ..core.formulas import formulas
 from ..core.shape import definition as definitions
 from . import texts
@@ -26,10 +27,10 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
         column = self.layout.column(align=True)
         for label, text in _conic(context.object.data):
             row = column.split(factor=0.3)
-            row.label(text=label)
+            row.label(text=say(label))
             lines = row.column(align=True)
             for line in texts.lines(text):
-                lines.label(text=line)
+                lines.label(text=say(line))
         self.layout.operator("splinewright.write_formulas", icon='TEXT')
 
 

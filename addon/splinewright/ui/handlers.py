@@ -13,6 +13,7 @@ from ..bridge.follow import follow
 from ..bridge.net import dragging, keyed, live
 from ..bridge.net.growing import Phase
 from ..bridge.recipes import late, recipes
+from ..core.base.words import phrase
 from . import deviation_paint, editing, finishing, hints, main_thread, messages, saving, texts, timers
 from .ui_state import forget, ui_state
 
@@ -201,8 +202,9 @@ def _come_back():
     depsgraph = bpy.context.evaluated_depsgraph_get()
     follow.refresh_all(keyed.show({*bpy.data.meshes, *bpy.data.curves}, depsgraph), depsgraph)
     if ui_state.missed:
-        texts.pop_up(f"{ui_state.missed} frames were rendered with shapes as they were before: "
-                     "switch Render > Lock Interface on and render again")
+        texts.pop_up(phrase("{count} frames were rendered with shapes as they were before: switch Render > Lock Interface on and "
+                            "render again",
+                            count=ui_state.missed))
         ui_state.missed = 0
 
 

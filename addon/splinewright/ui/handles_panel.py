@@ -2,6 +2,7 @@
 
 from ..bridge.cage import net_splines
 from ..bridge.curve import handles as kept_types
+from ..core.base.words import phrase, say
 from ..core.net import handles
 from . import texts
 
@@ -20,7 +21,7 @@ def draw(layout, net_data, shape_data, session, vertices):
     found = types_of(net_data, session, vertices)
     if found:
         column = layout.column(align=True)
-        column.label(text=f"Handles: {in_words(found) if len(found) < 3 else 'Several'}")
+        column.label(text=say(phrase("Handles: {types}", types=in_words(found) if len(found) < 3 else phrase("Several"))))
         row = column.row(align=True)
         for letter, (name, _, icon) in _TYPES.items():
             row.operator("curve.handle_type_set", text="", icon=icon, depress=found == {letter}).type = name

@@ -5,6 +5,7 @@ import bpy
 
 from ..bridge.data import versions
 from ..bridge.data.settings import overlays_of
+from ..core.base.words import say
 from . import editing, finishing, keymaps, preferences, stopped, toolbar
 from .ui_state import ui_state
 
@@ -49,7 +50,7 @@ def redraw(context):
     """Blender draws the status bar again where its text is set."""
     for window in context.window_manager.windows:
         if not _is_busy(window):        # a gesture says what its keys do
-            window.workspace.status_text_set(ui_state.status or None)
+            window.workspace.status_text_set(say(ui_state.status or None))
 
 
 def follow_tools():
@@ -86,12 +87,12 @@ def _icons(item):
 def _draw(self, context):
     problem = stopped.in_status(context.view_layer)
     if problem:
-        self.layout.label(text=problem, icon='ERROR')
+        self.layout.label(text=say(problem), icon='ERROR')
     for icons, words in shown_keys(context):
         row = self.layout.row(align=True)
         for icon in icons[:-1]:
             row.label(text="", icon=icon)
-        row.label(text=words, icon=icons[-1] if icons else 'NONE')
+        row.label(text=say(words), icon=icons[-1] if icons else 'NONE')
     self.layout.separator()
 
 

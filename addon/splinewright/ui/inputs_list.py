@@ -3,6 +3,7 @@
 import bpy
 
 from ..bridge.recipes import parameters, recipes
+from ..core.base.words import phrase, say
 from ..core.recipes.table import RECIPES
 
 #: Rows that are shown at least, and at most.
@@ -14,7 +15,7 @@ class SPLINEWRIGHT_UL_inputs(bpy.types.UIList):
         source, is_turned = recipes.input_at(group.id_data, index)
         row = layout.row(align=True)
         if source is None:
-            row.label(text=f"{index + 1}  Deleted", icon='ERROR')
+            row.label(text=say(phrase("{index}  Deleted", index=index + 1)), icon='ERROR')
         else:
             row.label(text=str(index + 1), icon='OUTLINER_OB_CURVE' if source.type == 'CURVE' else 'OUTLINER_OB_SURFACE')
             row.prop(source, "name", text="", emboss=False)

@@ -8,6 +8,7 @@ from bpy.app.handlers import persistent
 
 from ..bridge.data.file_state import ended_operators
 from ..bridge.shape import shape
+from ..core.base.words import phrase, say
 from . import texts
 from .ui_state import ui_state
 
@@ -41,9 +42,10 @@ def _say(names):
     """A popup, outside the handler."""
     manager = bpy.context.window_manager
     count = len(names)
-    title = f"The definition of {names[0]} ended" if count == 1 else f"The definitions of {count} shapes ended"
+    title = phrase("The definition of {names} ended",
+                   names=names[0]) if count == 1 else phrase("The definitions of {count} shapes ended", count=count)
     with bpy.context.temp_override(window=manager.windows[0]):
-        manager.popup_menu(lambda menu, context: texts.draw_note(menu.layout, _WORDS, _WIDTH), title=title, icon='ERROR')
+        manager.popup_menu(lambda menu, context: texts.draw_note(menu.layout, _WORDS, _WIDTH), title=say(title), icon='ERROR')
 
 
 CLASSES = ()

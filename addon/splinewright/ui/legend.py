@@ -7,6 +7,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
+from ..core.base.words import say
 from . import knot_strip_overlay, surface_shader
 
 #: Pixels of the bar, of text, between the legend and the border, on an interface that is not scaled.
@@ -17,6 +18,7 @@ _STEPS = 64
 def draw(context, title, numbers, colors, notes=()):
     """In pixels. title, notes: lines above the bar and below it; numbers: texts beside it, from its lower end on, if any."""
     scale = context.preferences.system.ui_scale
+    title, notes = list(map(say, title)), list(map(say, notes))
     width, height, margin, line = *(size * scale for size in (*_BAR, _MARGIN)), 1.4 * _TEXT * scale
     blf.size(0, _TEXT * scale)
     room = max([1.5 * width + max(map(_width, numbers), default=0.0), *map(_width, (*title, *notes))])

@@ -5,6 +5,7 @@ from bpy.props import EnumProperty
 
 from ..bridge.lessons import shelf, stage
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import phrase, say
 from ..core.lessons import lectures
 from . import texts
 from .sub_panel import ClosedPanel
@@ -50,14 +51,14 @@ def _draw_shelf(layout, manager):
             layout.label(text="No lesson yet")
         return
     for label, those in lectures.groups(lessons):
-        layout.label(text=short(label))
+        layout.label(text=short(say(label)))
         _draw_lessons(layout, those)
 
 
 def _draw_lessons(layout, lessons):
     column = layout.column(align=True)
     for lesson in lessons:
-        column.operator("splinewright.start_lesson", text=short(lesson.title)).lesson = lesson.name
+        column.operator("splinewright.start_lesson", text=short(say(lesson.title))).lesson = lesson.name
 
 
 def _draw_own(layout):
@@ -76,7 +77,7 @@ def _draw_own(layout):
         name = path.stem.encode('utf-8', 'replace').decode('utf-8')
         column.operator("splinewright.start_lesson_file", text=short(name), icon='FILE').filepath = str(path)
     if len(files) > _MOST:
-        column.label(text=f"and {len(files) - _MOST} more files")
+        column.label(text=say(phrase("and {count} more files", count=len(files) - _MOST)))
     for name in shelf.blocks():
         column.operator("splinewright.start_lesson", text=short(name), icon='TEXT').text = name
     if not files and not shelf.blocks():

@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge.lessons import shelf
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import phrase, say
 from . import texts
 from .lesson_list_panel import BesideLessons
 from .ui_state import ui_state
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_PT_lesson_maker(BesideLessons, bpy.types.Panel):
             texts.draw_problem(layout, sentence(error))
             return
         asked = sum(step.ask is not None for step in lesson.steps)
-        layout.label(text=f"{len(lesson.steps)} steps, {asked} questions")
+        layout.label(text=say(phrase("{count} steps, {asked} questions", count=len(lesson.steps), asked=asked)))
         column = layout.column(align=True)
         column.label(text="Text of the Next Step")
         column.prop(scene, "splinewright_step_words", text="")
@@ -43,7 +44,7 @@ class SPLINEWRIGHT_PT_lesson_maker(BesideLessons, bpy.types.Panel):
         for fault in ui_state.lesson_faults[:_MOST]:
             texts.draw_problem(layout, fault)
         if len(ui_state.lesson_faults) > _MOST:
-            layout.label(text=f"and {len(ui_state.lesson_faults) - _MOST} more")
+            layout.label(text=say(phrase("and {count} more", count=len(ui_state.lesson_faults) - _MOST)))
 
 
 CLASSES = (SPLINEWRIGHT_PT_lesson_maker,)

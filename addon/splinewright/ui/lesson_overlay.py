@@ -6,6 +6,7 @@ import gpu
 
 from ..bridge.lessons import stage
 from ..core.base.failures import FAILURES
+from ..core.base.words import phrase, say
 from . import messages
 from .operators import lessons
 from .ui_state import ui_state
@@ -30,11 +31,11 @@ def draw():
     left, right = messages.free_space()
     blf.size(0, _SIZE * scale)
     room = min(right - left - 4 * _MARGIN * scale, _WIDEST * scale)
-    lines = [(f"{lesson.title}: {number + 1} of {len(lesson.steps)}", _TITLE)]
-    lines += [(line, _TEXT) for line in wrapped(lesson.steps[number].text, room, lambda text: blf.dimensions(0, text)[0])]
+    lines = [(say(phrase("{title}: {number} of {count}", title=phrase(lesson.title), number=number + 1, count=len(lesson.steps))), _TITLE)]
+    lines += [(line, _TEXT) for line in wrapped(say(lesson.steps[number].text), room, lambda text: blf.dimensions(0, text)[0])]
     if ui_state.lesson_word and str(number) in stage.answers(scene):
-        lines.append((ui_state.lesson_word, _RIGHT if stage.answers(scene)[str(number)].get('right') else _TITLE))
-    lines += [(line, _RIGHT) for line in wrapped(lessons.shown_answer(scene), room, lambda text: blf.dimensions(0, text)[0])]
+        lines.append((say(ui_state.lesson_word), _RIGHT if stage.answers(scene)[str(number)].get('right') else _TITLE))
+    lines += [(line, _RIGHT) for line in wrapped(say(lessons.shown_answer(scene)), room, lambda text: blf.dimensions(0, text)[0])]
     _draw_lines(lines, left + _MARGIN * scale, _top(context, scale), scale)
 
 

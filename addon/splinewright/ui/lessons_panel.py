@@ -4,6 +4,7 @@ import bpy
 
 from ..bridge.lessons import stage
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import phrase, say
 from ..core.lessons import checking
 from . import texts
 from .operators import lessons
@@ -30,14 +31,15 @@ class SPLINEWRIGHT_PT_lesson(SidePanel, bpy.types.Panel):
             return
         number = stage.step_of(context.scene)
         step = lesson.steps[number]
-        layout.label(text=f"{lesson.title}: {number + 1} of {len(lesson.steps)}")
+        layout.label(text=say(phrase("{title}: {number} of {count}",
+                                 title=phrase(lesson.title), number=number + 1, count=len(lesson.steps))))
         texts.draw_note(layout, step.text, icon='NONE')
         _draw_watched(layout, context.scene, step)
         if step.ask is not None:
             _draw_question(layout, context.scene, step, number)
         row = layout.row(align=True)
         for way, text in (('BACK', "Back"), ('RESET', "Reset"), ('NEXT', "Next")):
-            row.operator("splinewright.lesson_step", text=text).way = way
+            row.operator("splinewright.lesson_step", text=say(text)).way = way
         layout.prop(context.scene, "splinewright_lesson_in_view")
         _draw_end(layout)
 
@@ -53,7 +55,8 @@ def _draw_picked(box, ask):
     except FAILURES as error:
         texts.draw_problem(box, sentence(error))
         return
-    texts.draw_note(box, f"Picked: {', '.join(map(str, picked))}" if picked else "Select points of the net", icon='NONE')
+    texts.draw_note(box, phrase("Picked: {picked}",
+                                picked=', '.join(map(str, picked))) if picked else "Select points of the net", icon='NONE')
 
 
 def _draw_watched(layout, scene, step):
@@ -71,7 +74,7 @@ def _draw_question(layout, scene, step, number):
     box, ask = layout.box(), step.ask
     if ask.kind == 'choose':
         for i, choice in enumerate(ask.choices):
-            box.operator("splinewright.check_answer", text=choice).choice = i
+            box.operator("splinewright.check_answer", text=say(choice)).choice = i
     else:
         if ask.kind == 'number':
             box.prop(scene, "splinewright_answer")
@@ -80,7 +83,7 @@ def _draw_question(layout, scene, step, number):
         box.operator("splinewright.check_answer", icon='CHECKMARK')
     known = stage.answers(scene).get(str(number))
     if known and ui_state.lesson_word:
-        box.label(text=ui_state.lesson_word, icon='CHECKMARK' if known.get('right') else 'CANCEL')
+        box.label(text=say(ui_state.lesson_word), icon='CHECKMARK' if known.get('right') else 'CANCEL')
         if not known.get('right') and step.hint and not lessons.shown_answer(scene):
             texts.draw_note(box, step.hint, icon='LIGHT')
     box.operator("splinewright.show_solution")

@@ -8,6 +8,7 @@ from pathlib import Path
 import bpy
 from bpy.props import StringProperty
 
+from ..core.base.words import phrase
 from .operators import reports
 
 FOLDER = Path(__file__).resolve().parent.parent / "manual"
@@ -27,10 +28,10 @@ class SPLINEWRIGHT_OT_manual(bpy.types.Operator):
     def execute(self, context):
         path = FOLDER / self.page.partition("#")[0]
         if not path.is_file():
-            return reports.cancelled(self, f"there is no page {path}: install the Splinewright zip again")
+            return reports.cancelled(self, phrase("there is no page {path}: install the Splinewright zip again", path=path))
         if not webbrowser.open(address_of(self.page)):
-            return reports.cancelled(self, f"no browser was found: the manual is {path}")
-        return reports.finished(self, reports.Report(f"The manual is {path}"))
+            return reports.cancelled(self, phrase("no browser was found: the manual is {path}", path=path))
+        return reports.finished(self, reports.Report(phrase("The manual is {path}", path=path)))
 
 
 def address_of(page):

@@ -10,6 +10,7 @@ from ..bridge.data import store
 from ..core.analysis import measured
 from ..core.base import decimals
 from ..core.base.failures import FAILURES, sentence
+from ..core.base.words import say
 from . import active_shape, texts
 from .sub_panel import ClosedPanel
 
@@ -101,7 +102,7 @@ def _draw_row(column, name, value):
     numbers = measured.shown(value)
     for i, number in enumerate(numbers):
         row = column.split(factor=0.5)
-        row.label(text=f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name)
+        row.label(text=say(f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name))
         row.label(text=decimals.text_of(number, _DIGITS))
 
 

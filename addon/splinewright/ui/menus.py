@@ -3,6 +3,7 @@
 import bpy
 
 from ..bridge.shape import read_polygons
+from ..core.base.words import say
 from . import active_shape, editing, menu_table, object_kinds, offered
 
 
@@ -29,7 +30,7 @@ def _draw_entry(layout, entry, context):
         return
     row = layout.row()
     row.enabled = not offered.is_gray(entry, active_shape.shapes(context))
-    button = row.operator(f"splinewright.{entry.operator}", text=entry.text or offered.text_of(entry.operator), icon=entry.icon)
+    button = row.operator(f"splinewright.{entry.operator}", text=say(entry.text or offered.text_of(entry.operator)), icon=entry.icon)
     for name, value in entry.settings:
         setattr(button, name, value)
 

@@ -10,6 +10,7 @@ from ..bridge.data import problems
 from ..bridge.data.file_state import ended_operators, state
 from ..bridge.net import live
 from ..bridge.shape import shape
+from ..core.base.words import phrase, say
 from . import colors, editing, knot_strip_overlay
 from .ui_state import ui_state
 
@@ -31,7 +32,7 @@ def sentence(layer):
 
 def _of_result(ob):
     if ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob):
-        yield f"{ob.name}: this is the generated mesh, not the net: changes here count as made by hand", WARNING
+        yield phrase("{name}: this is the generated mesh, not the net: changes here count as made by hand", name=ob.name), WARNING
         yield "Back to the Net, Restore and Detach are in the sidebar; Tab leaves", NOTE
 
 
@@ -40,19 +41,21 @@ def _of_edited(ob):
     name = owner.name if owner else ob.name
     problem, note, saved = live.problem(ob), live.note(ob), problems.of(ob.data, problems.SAVED)
     if problem:
-        yield f"{name}: {problem}", WARNING
-        yield f"{undo_key()} takes it back, Reload Control Points puts the net out again from the shape as it is", NOTE
+        yield phrase("{name}: {problem}", name=name, problem=problem), WARNING
+        yield phrase("{key} takes it back, Reload Control Points puts the net out again from the shape as it is",
+                     key=undo_key()), NOTE
     elif note:
-        yield f"{name}: {note}", NOTE
+        yield phrase("{name}: {note}", name=name, note=note), NOTE
     if problem and saved:
-        yield f"Saved: {saved}", NOTE
+        yield phrase("Saved: {saved}", saved=saved), NOTE
 
 
 def _of_kept(ob):
     problem = live.problem(ob)
     if problem and net_object.shape_of(ob):
-        yield f"{ob.name} holds changes that {net_object.shape_of(ob).name} has not taken: {problem}", WARNING
-        yield f"Tab on {ob.name} continues with it; deleting it drops them", NOTE
+        yield phrase("{name} holds changes that {shape} has not taken: {problem}",
+                     name=ob.name, shape=net_object.shape_of(ob).name, problem=problem), WARNING
+        yield phrase("Tab on {name} continues with it; deleting it drops them", name=ob.name), NOTE
 
 
 def undo_key():
@@ -65,10 +68,10 @@ def undo_key():
 def refresh():
     """Show an obstacle in the status bar; draw() shows it in the views."""
     windows = bpy.context.window_manager.windows
-    texts = ["   ".join(text for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
+    texts = ["   ".join(say(text) for text, color in sentence(window.view_layer) if color == WARNING) for window in windows]
     if any(texts) or ui_state.status:      # what others wrote there meanwhile is gone either way
         for window, text in zip(windows, texts):
-            window.workspace.status_text_set(text or None)
+            window.workspace.status_text_set(say(text or None))
     ui_state.status = next(filter(None, texts), "")
 
 
@@ -83,7 +86,7 @@ def take_back():
 def draw():
     """Called by Blender for each 3D view."""
     state.seen, ui_state.was_undone = ended_operators(), False
-    lines = [(line, color) for sentence, color in sentence(bpy.context.view_layer) for line in _wrapped(sentence)]
+    lines = [(line, color) for text, color in sentence(bpy.context.view_layer) for line in _wrapped(say(text))]
     if not lines:
         return
     scale, (left, right) = _scale(), free_space()

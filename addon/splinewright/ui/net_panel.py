@@ -7,6 +7,7 @@ from ..bridge.data import store
 from ..bridge.data.settings import overlays_of
 from ..bridge.net import live
 from ..bridge.recipes import recipes
+from ..core.base.words import phrase, say
 from ..core.shape import describe
 from . import active_shape, handles_panel, net_props, texts
 from .sub_panel import SidePanel
@@ -46,10 +47,10 @@ def draw_state(layout, ob):
         texts.draw_problem(layout, live.problem(ob) or "The shape of this net was deleted, or is in no scene")
         return
     if ob.mode == 'EDIT':
-        layout.operator("splinewright.leave_net", text=f"Done with {texts.short(owner.name)}", icon='CHECKMARK')
+        layout.operator("splinewright.leave_net", text=say(phrase("Done with {name}", name=texts.short(owner.name))), icon='CHECKMARK')
         layout.prop(overlays_of(bpy.context.scene), "points_behind", text="X-Ray Control Points")
     else:
-        layout.operator("splinewright.edit_net", text=f"Continue with {texts.short(owner.name)}", icon='EDITMODE_HLT')
+        layout.operator("splinewright.edit_net", text=say(phrase("Continue with {name}", name=texts.short(owner.name))), icon='EDITMODE_HLT')
     problem, note = live.problem(ob), live.note(ob)
     if problem:
         texts.draw_problem(layout, problem)
@@ -66,25 +67,25 @@ def _draw_points(layout, ob, session, has_weights):
     if not vertices:
         box.label(text="Select points to edit them")
         return
-    box.label(text=f"{len(vertices)} of {int((session.net.rows >= 0).sum())} points and handles")
+    box.label(text=say(phrase("{count} of {int} points and handles", count=len(vertices), int=int((session.net.rows >= 0).sum()))))
     points = data.splinewright_points
     box.row(align=True).prop(points, "space", expand=True)
     if len(vertices) > 1:
         column = box.column(align=True)
         column.label(text="Median")
         for axis in range(3):
-            column.prop(points, "median", index=axis, text="XYZ"[axis])
+            column.prop(points, "median", index=axis, text=say("XYZ"[axis]))
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
-        column.label(text=name_of(session.net, vertex))
+        column.label(text=say(name_of(session.net, vertex)))
         axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
         for axis in range(3):           # the text is what Undo History says
-            axes.prop(points, "numbers", index=4 * i + axis, text="XYZ"[axis])
+            axes.prop(points, "numbers", index=4 * i + axis, text=say("XYZ"[axis]))
         if has_weights and session.net.weighted[vertex]:
             column.prop(points, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN
     if hidden > 0:
-        box.label(text=f"and {hidden} more")
+        box.label(text=say(phrase("and {hidden} more", hidden=hidden)))
     if not has_weights:
         return
     if len(vertices) > 1 and session.net.weighted[vertices].any():
@@ -97,10 +98,10 @@ def _draw_points(layout, ob, session, has_weights):
 def name_of(net, vertex):
     """What a vertex of a net is called."""
     if net.origins[vertex, 0] < 0:
-        return f"Point {vertex}"
+        return phrase("Point {vertex}", vertex=vertex)
     if any(head == vertex for _, head in net.arrows):
-        return f"Direction at infinity {vertex}"
-    return f"Handle {vertex}"
+        return phrase("Direction at infinity {vertex}", vertex=vertex)
+    return phrase("Handle {vertex}", vertex=vertex)
 
 
 def _draw_knots(layout, definition, pieces):
@@ -113,11 +114,11 @@ def _draw_knots(layout, definition, pieces):
         for axis, knots in zip(axes, piece.knots):
             name = " ".join(filter(None, (label, axis, str(i + 1) if len(definition.pieces) > 1 else "")))
             row = layout.row(align=True)
-            row.label(text=f"{name}: {describe.knots_text(knots, 8)}")
+            row.label(text=say(f"{name}: {describe.knots_text(knots, 8)}"))
             button = row.operator("splinewright.set_knots", text="", icon='GREASEPENCIL')
             button.piece, button.axis = i + 1, axis or 'U'
     if len(with_knots) > _PIECES:
-        layout.label(text=f"Knots of {len(with_knots) - _PIECES} more: select their points")
+        layout.label(text=say(phrase("Knots of {count} more: select their points", count=len(with_knots) - _PIECES)))
 
 
 CLASSES = (SPLINEWRIGHT_PT_points,)

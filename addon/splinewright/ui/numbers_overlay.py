@@ -9,6 +9,7 @@ import numpy as np
 
 from ..bridge.analysis import surveys
 from ..bridge.shape import shape
+from ..core.base.words import phrase
 from . import active_shape, line_batches, picking
 from .ui_state import ui_state
 
@@ -33,7 +34,7 @@ class Numbered(NamedTuple):
     def text(self, i):
         """What stands at the piece of an index: its number, and that by which the last operator means it, if that is another
         one, as it was before."""
-        return str(i + 1) if self.numbers[i] == i + 1 else f"{i + 1} (was {self.numbers[i]})"
+        return str(i + 1) if self.numbers[i] == i + 1 else phrase("{i} (was {numbers})", i=i + 1, numbers=self.numbers[i])
 
 
 def shown(context):

@@ -8,6 +8,7 @@ from ..bridge.data import store
 from ..bridge.edit import baking
 from ..bridge.recipes import recipes
 from ..bridge.shape import shape
+from ..core.base.words import phrase, say
 from . import construction_panel, manual, net_panel, recipe_props, settings_panel, texts
 from .operators import edit_linked
 from .sub_panel import SidePanel
@@ -35,7 +36,7 @@ class _ShapePanel:
         if net_object.is_net(ob):
             net_panel.draw_state(self.layout, ob)
         elif baking.is_baked(data):
-            self.layout.label(text=f"Baked: frames {baking.frames(data)}", icon='RENDER_ANIMATION')
+            self.layout.label(text=say(phrase("Baked: frames {frames}", frames=baking.frames(data))), icon='RENDER_ANIMATION')
             if ob is not None:
                 self.layout.operator("splinewright.unbake")
         else:
@@ -69,7 +70,7 @@ def _draw_state(layout, ob):
         texts.draw_problem(layout, "This is the generated mesh, not the net: changes here count as made by hand")
         column = layout.column(align=True)
         for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
-            column.operator("splinewright.leave_result", text=text).how = how
+            column.operator("splinewright.leave_result", text=say(text)).how = how
     elif recipes.follows(data):
         layout.operator("splinewright.edit_source", icon='EDITMODE_HLT')
     elif shape.seems_touched(data):
@@ -86,10 +87,10 @@ def _draw_definition(layout, data):
     column = layout.column(align=True)
     for label, text in surveys.described(data):
         row = column.split(factor=0.3)
-        row.label(text=label)
+        row.label(text=say(label))
         lines = row.column(align=True)
         for line in texts.lines(text):
-            lines.label(text=line)
+            lines.label(text=say(line))
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.base.words import say
 from . import active_shape, editing, menu_table, offered
 
 #: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
@@ -22,7 +23,7 @@ class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
         for name in names:
             row = pie.row()
             row.enabled = not offered.is_gray(menu_table.entry_of(name), active_shape.shapes(context))
-            row.operator(f"splinewright.{name}", text=offered.text_of(name), icon=_ICONS.get(name, 'NONE'))
+            row.operator(f"splinewright.{name}", text=say(offered.text_of(name)), icon=_ICONS.get(name, 'NONE'))
 
 
 class SPLINEWRIGHT_OT_pie(bpy.types.Operator):
@@ -34,7 +35,7 @@ class SPLINEWRIGHT_OT_pie(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("Edit the net of a Splinewright shape first")
+            cls.poll_message_set(say("Edit the net of a Splinewright shape first"))
             return False
         return True
 

@@ -7,6 +7,7 @@ from ..bridge.cage import net_object
 from ..bridge.data import store
 from ..bridge.keys import point_keys
 from ..bridge.net import live, point_keying, selection
+from ..core.base.words import phrase, say
 from ..core.shape import keyed_rows
 from . import active_shape, net_panel, texts
 from .sub_panel import SubPanel
@@ -32,7 +33,8 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
         of_item = point_keys.rows(data)
         gone = int((of_item == point_keys.GONE).sum())
         if gone:
-            texts.draw_note(self.layout, f"Keys of {gone} points that are gone go when the net is left" if gone > 1 else
+            texts.draw_note(self.layout, phrase("Keys of {count} points that are gone go when the net is left",
+                                                count=gone) if gone > 1 else
                             "Keys of a point that is gone go when the net is left")
         try:
             has_weight, names = keyed_rows.weighted(store.read(data)), _names(context.object, data, of_item)
@@ -43,14 +45,14 @@ class SPLINEWRIGHT_PT_keyed_points(SubPanel, bpy.types.Panel):
         for i, name in list(names.items())[:_MOST]:
             _draw_point(self.layout, point_keys.of(data)[i], name, has_weight[of_item[i]])
         if len(names) > _MOST:
-            self.layout.label(text=f"and {len(names) - _MOST} more")
+            self.layout.label(text=say(phrase("and {count} more", count=len(names) - _MOST)))
 
 
 def _names(ob, data, of_item):
     """{number of an item: name of its point} of the selected points of a net in Edit Mode, in Object Mode of all."""
     there = np.flatnonzero((0 <= of_item) & (of_item < len(store.read(data).pool))).tolist()
     if not net_object.is_net(ob) or ob.mode != 'EDIT':
-        return {i: f"Point {of_item[i]}" for i in there}
+        return {i: phrase("Point {number}", number=of_item[i]) for i in there}
     session = live.known_session(ob.data)
     if session is None:
         return {}
@@ -61,9 +63,9 @@ def _names(ob, data, of_item):
 
 def _draw_point(layout, item, name, has_weight):
     column = layout.column(align=True)
-    column.label(text=name)
+    column.label(text=say(name))
     for axis in range(3):
-        column.prop(item, "place", index=axis, text="XYZ"[axis])
+        column.prop(item, "place", index=axis, text=say("XYZ"[axis]))
     if has_weight:
         column.prop(item, "weight", text="Weight")
 

@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, FloatVectorProperty, IntProperty
 
 from ..bridge.data import settings
 from ..core.base import library
+from ..core.base.words import phrase, say
 from . import addresses, keymaps, manual, texts
 from .ui_state import ui_state
 
@@ -36,7 +37,7 @@ def _steps(name, of_what):
 def _redraw_status_bar(_self, context):
     """Blender does it where the text is set."""
     for window in context.window_manager.windows:
-        window.workspace.status_text_set(ui_state.status or None)
+        window.workspace.status_text_set(say(ui_state.status or None))
 
 
 class SplinewrightPreferences(bpy.types.AddonPreferences):
@@ -69,7 +70,7 @@ class SplinewrightPreferences(bpy.types.AddonPreferences):
             texts.draw_problem(layout, library.problem, width=90)
             _draw_help(layout)
             return
-        layout.label(text=f"Native library splinecore {library.sc.__version__} is loaded", icon='CHECKMARK')
+        layout.label(text=say(phrase("Native library splinecore {version} is loaded", version=library.sc.__version__)), icon='CHECKMARK')
         _draw_start(layout)
         _draw_help(layout)
         self._draw_new_shapes(_section(layout, "New Shapes"))
@@ -122,12 +123,12 @@ def _draw_help(layout):
     if not library.problem:
         row.operator("splinewright.self_test", icon='PLAY')
     for text, address in addresses.known():
-        row.operator("wm.url_open", text=text, icon='URL').url = address
+        row.operator("wm.url_open", text=say(text), icon='URL').url = address
 
 
 def _section(layout, title):
     layout.separator()
-    layout.label(text=title)
+    layout.label(text=say(title))
     column = layout.column()
     column.use_property_split = True
     column.use_property_decorate = False
@@ -141,7 +142,8 @@ def _draw_keys(layout, context):
     column = layout.column()
     for keymap, item, operator in keymaps.of_user():
         if item is None:
-            column.label(text=f"{operator} has no key: Restore brings it back in Keymap > {keymap.name if keymap else ''}")
+            column.label(text=say(phrase("{operator} has no key: Restore brings it back in Keymap > {keymap}", operator=phrase(operator),
+                                       keymap=keymap.name if keymap else "")))
             continue
         column.context_pointer_set("keymap", keymap)
         rna_keymap_ui.draw_kmi([], context.window_manager.keyconfigs.user, keymap, item, column, 0)

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..core.base import typed_number
+from ..core.base.words import phrase
 
 _AXES = ('X', 'Y', 'Z')
 #: An axis that is seen from its end to this part follows what the mouse says in the plane of the view.
@@ -59,5 +60,6 @@ class Keys:
 
     def words(self):
         """What the header says of them."""
-        return "".join([f"  along {self.axis}" if self.axis else "", f"  [{self.typed}|]" if str(self.typed) else "",
+        return "".join([phrase("  along {axis}",
+                               axis=self.axis) if self.axis else "", f"  [{self.typed}|]" if str(self.typed) else "",
                         "  in steps" if self.snaps else ""])

@@ -16,6 +16,7 @@ from ..bridge.recipes import parameters, recipes
 from ..bridge.shape import recipe_edit
 from ..core.base import decimals
 from ..core.base.failures import FAILURES, Refusal, sentence
+from ..core.base.words import phrase, say
 from ..core.recipes.table import RECIPES
 from . import inputs_list, texts
 
@@ -166,7 +167,7 @@ def draw(layout, data, is_net_out=False):
     column = layout.column(align=True)
     if recipe.frame:
         row = column.row(align=True)
-        row.prop(parameters.of(data), 'frame', text=recipe.frame)
+        row.prop(parameters.of(data), 'frame', text=say(recipe.frame))
         row.operator("splinewright.axis_from_edge", text="", icon='EDGESEL')
     for i, _ in enumerate(recipe.lengths):
         row = column.row(align=True)
@@ -177,13 +178,13 @@ def draw(layout, data, is_net_out=False):
         row.enabled = not is_net_out or parameter.name == 'closed'
         if isinstance(parameter.default, str):
             row = row.split(factor=0.45 if len(parameter.label) > _SHORT else 0.33, align=True)
-            row.label(text=parameter.label)
+            row.label(text=say(parameter.label))
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
             if parameter.name == 'edges':
                 row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
         elif len(parameter.label) > _FITS and not isinstance(parameter.default, bool):
             row = row.split(factor=0.6, align=True)
-            row.label(text=parameter.label)
+            row.label(text=say(parameter.label))
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
         else:
             row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
@@ -192,7 +193,7 @@ def draw(layout, data, is_net_out=False):
     if recipe.has_more:
         inputs_list.draw(layout, data, recipe)
     if stored.error:
-        texts.draw_note(layout, f"Within {stored.error:.1e} of the exact result")
+        texts.draw_note(layout, phrase("Within {error:.1e} of the exact result", error=stored.error))
     if stored.said:
         texts.draw_note(layout, stored.said)
     if stored.warning:
@@ -205,7 +206,7 @@ def _draw_list(layout, data, recipe, parameter, is_net_out):
     grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
     grid.enabled = not is_net_out
     for i in parameters.numbers_in(getattr(group, parameters.name_of(recipe, parameter)), parameter.numbers):
-        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=f"u{i}")
+        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=say(f"u{i}"))
 
 
 CLASSES = (SplinewrightInput, SplinewrightRecipe)

@@ -16,6 +16,7 @@ from ..bridge.follow import follow
 from ..bridge.net import live, magnet
 from ..bridge.recipes import late
 from ..core.base.failures import text_of
+from ..core.base.words import phrase
 from . import editing
 from .ui_state import ui_state
 
@@ -82,7 +83,7 @@ def after(*_):
 
 
 def _where(ob):
-    return f"the file has that in {ob.name}, as an object: Tab on it continues"
+    return phrase("the file has that in {name}, as an object: Tab on it continues", name=ob.name)
 
 
 @persistent

@@ -7,6 +7,7 @@ import bpy
 from ..bridge.data import problems, store, tessellate
 from ..bridge.net import keyed
 from ..bridge.recipes import recipes
+from ..core.base.words import phrase, say
 from . import active_shape, texts
 from .sub_panel import SidePanel
 
@@ -41,8 +42,8 @@ def draw(layout, data, definition, has_buttons=True):
         _draw_fineness(column, settings, has_buttons)
         layout.prop(settings, "sharp_angle")
         column = layout.column(align=True)
-        column.label(text=f"{len(data.vertices):,} vertices")
-        column.label(text=_faces(data))
+        column.label(text=say(phrase("{count:,} vertices", count=len(data.vertices))))
+        column.label(text=say(_faces(data)))
         if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
     for about in (problems.SETTING, problems.KEYED):
@@ -84,7 +85,8 @@ def _draw_limits(column, settings, has_buttons=False):
 def _faces(data):
     """Of a Mesh, and how many there were before."""
     before, now = data.splinewright.faces_before, len(data.polygons)
-    return f"{before:,} → {now:,} faces" if before not in (0, now) else f"{now:,} faces"
+    return phrase("{before:,} → {count:,} faces",
+                  before=before, count=now) if before not in (0, now) else phrase("{count:,} faces", count=now)
 
 
 CLASSES = (SPLINEWRIGHT_PT_display,)

@@ -3,6 +3,7 @@
 import bpy
 
 from ..bridge.lessons import stage
+from ..core.base.words import say
 from . import editing, menu_table, menus, object_kinds, offered, texts
 from .operators import add_sample
 
@@ -93,10 +94,10 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
 def _draw_groups(layout, made):
     for label, names in made:
         row = layout.split(factor=0.3)
-        row.label(text=label)
+        row.label(text=say(label))
         column = row.column(align=True)
         for name in names:
-            column.operator(f"splinewright.{name}", text=offered.text_of(name))
+            column.operator(f"splinewright.{name}", text=say(offered.text_of(name)))
 
 
 def _draw_menus(column, linked):

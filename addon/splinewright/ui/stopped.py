@@ -8,6 +8,7 @@ import gpu
 import numpy as np
 
 from ..bridge.follow import follow
+from ..core.base.words import phrase, say
 from . import colors, messages, picking
 
 #: In pixels of an interface that is not scaled.
@@ -27,9 +28,9 @@ def in_status(layer):
     found = sentence(layer)
     if not found:
         return ""
-    more = f" ({len(found) - 1} more stopped)" if len(found) > 1 else ""
+    more = phrase(" ({count} more stopped)", count=len(found) - 1) if len(found) > 1 else ""
     ob, why = found[0]
-    return f"{ob.name} stopped following: {why}{more}"
+    return phrase("{name} stopped following: {why}{more}", name=ob.name, why=why, more=more)
 
 
 def draw():
@@ -39,7 +40,7 @@ def draw():
         return
     for ob, why in sentence(context.view_layer)[:_MOST]:
         if ob.visible_get(viewport=context.space_data):
-            _draw_label(context, ob, textwrap.wrap(f"{ob.name} stopped following: {why}", _WIDTH))
+            _draw_label(context, ob, textwrap.wrap(say(phrase("{name} stopped following: {why}", name=ob.name, why=why)), _WIDTH))
 
 
 def _draw_label(context, ob, lines):

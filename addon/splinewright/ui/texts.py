@@ -4,6 +4,8 @@ import textwrap
 
 import bpy
 
+from ..core.base.words import say
+
 #: Characters that fit a line beside an icon in the sidebar as it opens, and the least that one is broken into.
 WIDTH, _LEAST = 23, 12
 #: Characters of a name beside words.
@@ -27,12 +29,13 @@ def draw_note(layout, text, width=None, icon='INFO'):
 def _draw_lines(column, text, icon, width):
     """Lines below the first one stand beside its icon, if it has one."""
     below = 'NONE' if icon == 'NONE' else 'BLANK1'
-    for i, line in enumerate(textwrap.wrap(text, width or _fitting())):
-        column.label(text=line, icon=icon if i == 0 else below)
+    for i, line in enumerate(textwrap.wrap(say(text), width or _fitting())):
+        column.label(text=say(line), icon=icon if i == 0 else below)
 
 
 def lines(text):
     """A text in lines that fit the sidebar as it opens, without an icon and beside a label; figures are narrow."""
+    text = say(text)
     return textwrap.wrap(text, WIDTH - 5 if any(map(str.isalpha, text)) else WIDTH - 1)
 
 
@@ -56,4 +59,4 @@ def pop_up(text):
     if windows:
         with bpy.context.temp_override(window=windows[0]):
             bpy.context.window_manager.popup_menu(lambda menu, context: draw_problem(menu.layout, text, 80),
-                                                  title="Splinewright")
+                                                  title=say("Splinewright"))

@@ -5,6 +5,7 @@ from pathlib import Path
 import bpy
 from bl_ui.space_toolsystem_toolbar import VIEW3D_PT_tools_active
 
+from ..core.base.words import say
 from . import active_shape, editing
 from .tool_table import GROUPS, NETS, TOOLS
 
@@ -26,7 +27,7 @@ def draw_settings(tool, layout, properties, is_of_patches):
         setting = properties.bl_rna.properties[name]
         is_choice = setting.type == 'ENUM'
         if is_choice:
-            layout.label(text=f"{setting.name}:")
+            layout.label(text=say(f"{setting.name}:"))
         layout.row().prop(properties, name, expand=is_choice)
 
 

@@ -72,13 +72,13 @@ def of(ob):
     """The Target of an object, its Geometry made again when it changed. Raises FAILURES where there is nothing to measure
     to."""
     if ob.type not in TYPES:
-        raise Refusal(f"{ob.name} has no surface and no lines: choose a mesh or a curve")
+        raise Refusal("{name} has no surface and no lines: choose a mesh or a curve", name=ob.name)
     known, matrix = state.targets.get(key(ob)), tuple(flat(ob.matrix_world))
     if known is not None and known.matrix == matrix and known.made_of[0] == ob.as_pointer():
         return known                    # at every redraw: this must be quick
     world = np.reshape(matrix, (4, 4))
     if not np.isfinite(world).all():
-        raise Refusal(f"{ob.name} lies at infinity")
+        raise Refusal("{name} lies at infinity", name=ob.name)
     bend, into, unit = _taken_apart(world[:3, :3])
     made_of = ob.as_pointer(), None if bend is None else bend.tobytes()
     is_same = known is not None and known.made_of == made_of
@@ -142,7 +142,7 @@ def _shown(ob, bend):
     finally:
         shown.to_mesh_clear()
     if not len(points):
-        raise Refusal(f"{ob.name} is empty: it has no points to measure to")
+        raise Refusal("{name} is empty: it has no points to measure to", name=ob.name)
     return _with_tree(words, points if bend is None else points @ bend.T, triangles)
 
 

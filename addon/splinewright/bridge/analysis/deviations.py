@@ -7,6 +7,7 @@ import numpy as np
 from ...core.analysis import deviations, faces
 from ...core.analysis.measuring import Measuring
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from ...core.shape import definition as definitions
 from ..data import store, tessellate
 from ..data.settings import overlays_of
@@ -22,7 +23,7 @@ def problem(scene, obs):
     """Why there is nothing to measure to, as a sentence, or ""; obs: the shapes that are measured."""
     other = overlays_of(scene).deviation_object
     if other is not None and obs and all(ob == other for ob in obs):
-        return f"{other.name} is the shape itself: choose another"
+        return phrase("{name} is the shape itself: choose another", name=other.name)
     try:
         target(scene)
     except FAILURES as error:
@@ -37,9 +38,9 @@ def target(scene):
         raise Refusal("Choose the object to which distances are measured")
     scenes = other.users_scene
     if not scenes:
-        raise Refusal(f"{other.name} was deleted: choose another")
+        raise Refusal("{name} was deleted: choose another", name=other.name)
     if scene not in scenes:
-        raise Refusal(f"{other.name} is in another scene: choose one of this")
+        raise Refusal("{name} is in another scene: choose one of this", name=other.name)
     return deviation_targets.of(other)
 
 

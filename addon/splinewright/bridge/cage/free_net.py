@@ -77,8 +77,8 @@ def require_one_polygon(net):
     if not net.splines:
         raise ChangedNet("the net has no points left: undo that, the shape waits")
     if len(net.splines) > 1:
-        raise ChangedNet(f"the net has {len(net.splines)} splines: join them (Make Segment) "
-                                "or delete all but one, the shape waits")
+        raise ChangedNet("the net has {count} splines: join them (Make Segment) or delete all but one, the shape waits",
+                         count=len(net.splines))
     if net.splines[0].kind != 'POLY':
         raise ChangedNet("the spline of the net has another type: undo that, the shape waits")
     return net.splines[0]

@@ -30,7 +30,7 @@ class DamagedNet(Refusal):
 
 
 def damaged(reason):
-    return DamagedNet(f"the stored data of this net is damaged ({str(reason)[:200]}): the shape keeps what it has")
+    return DamagedNet("the stored data of this net is damaged ({reason}): the shape keeps what it has", reason=str(reason)[:200])
 
 
 def is_net(ob):
@@ -76,7 +76,7 @@ def net_of(definition):
 def make(shape, definition, net, scene):
     """A net object for a shape, always where that is, linked to the scene. net: net_of(definition)."""
     if not (np.isfinite(net.single).all() and np.isfinite(net.single_weights).all()):
-        raise Refusal(f"a control point of {shape.name} lies farther away than Blender's Edit Mode reaches (3.4e38)")
+        raise Refusal("a control point of {name} lies farther away than Blender's Edit Mode reaches (3.4e38)", name=shape.name)
     if definition.has_curves:
         data = net_splines.make(shape.name, net, handles.of_net(net, kept_types.of_pieces(shape.data, definition)))
     else:

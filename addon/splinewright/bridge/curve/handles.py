@@ -22,8 +22,9 @@ def read(data, definition=None):
         types = tuple(types) if type(types) is list else types
         handles.require_valid(types, store.read(data) if definition is None else definition)
     except (Refusal, TypeError, ValueError, RecursionError) as error:
-        raise store.UnreadableDefinition(f"The handle types of {data.name} are damaged ({error}): its handles are what they "
-                                         "look like, until one is given a type") from error
+        raise store.UnreadableDefinition("The handle types of {name} are damaged ({error}): its handles are what they look like, "
+                                         "until one is given a type",
+                                         name=data.name, error=error) from error
     return types
 
 

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ...core.base.words import phrase
 from ...core.formulas import axes, functions, influence, signs
 from ..data import store
 
@@ -68,7 +69,7 @@ def _wanted(slot, kind):
     if slot < len(_FIRST):
         return _FIRST[slot]
     number = (slot - len(_FIRST)) % len(_COLORS)
-    return f"Splinewright Color {number + 1}", _COLORS[number]
+    return phrase("Splinewright Color {number}", number=number + 1), _COLORS[number]
 
 
 def _material(name, color):

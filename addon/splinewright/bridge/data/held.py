@@ -27,7 +27,8 @@ def read(data, definition=None):
         for seam in seams:
             held.require_valid(seam, definition)
     except (Refusal, TypeError, ValueError, RecursionError) as error:
-        raise store.UnreadableDefinition(f"What holds in {data.name} is damaged: release it ({error})") from error
+        raise store.UnreadableDefinition("What holds in {name} is damaged: release it ({error})",
+                                         name=data.name, error=error) from error
     return seams
 
 

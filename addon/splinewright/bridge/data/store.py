@@ -13,6 +13,7 @@ from idprop.types import IDPropertyGroup
 
 from ...core.base.failures import Refusal, WrongKind
 from ...core.base.library import sc
+from ...core.base.words import phrase
 from ...core.shape import definition as definitions
 from ...core.shape.definition import Definition, Piece
 from . import readings
@@ -94,7 +95,7 @@ def is_group(stored):
 
 def _unreadable(reason):
     words = str(reason)[:200]
-    return UnreadableDefinition(f"The definition of this shape is damaged ({words}): what it shows is left alone")
+    return UnreadableDefinition("The definition of this shape is damaged ({words}): what it shows is left alone", words=words)
 
 
 def write_draft(data, definition, stamp):
@@ -216,17 +217,18 @@ def require_known_version(data):
     """Raises UnreadableDefinition where a newer Splinewright wrote what would be lost."""
     version = data[KEY].get('version') if KEY in data.keys() and is_group(data[KEY]) else None
     if isinstance(version, int) and version > VERSION:
-        raise UnreadableDefinition(f"This shape was made by a newer Splinewright (definition version {version}, "
-                                   f"this one reads {VERSION}): it is shown but cannot be changed here")
+        raise UnreadableDefinition("This shape was made by a newer Splinewright (definition version {version}, this one reads "
+                                   "{known}): it is shown but cannot be changed here",
+                                   version=version, known=VERSION)
 
 
 def require_fitting(data, definition):
     """Raises WrongKind unless the data-block can show the definition. Texts and surfaces are Curves, too."""
     shows_curves, shows_patches = type(data) is bpy.types.Curve, type(data) is bpy.types.Mesh
     if definition.has_curves and not shows_curves:
-        raise WrongKind(f"{data.name} is {_NOUNS.get(type(data), 'no curve')}: curves are shown by a curve object")
+        raise WrongKind("{name} is {what}: curves are shown by a curve object", name=data.name, what=_NOUNS.get(type(data), 'no curve'))
     if not definition.has_curves and not shows_patches:
-        raise WrongKind(f"{data.name} is {_NOUNS.get(type(data), 'no mesh')}: patches are shown by a mesh")
+        raise WrongKind("{name} is {what}: patches are shown by a mesh", name=data.name, what=_NOUNS.get(type(data), 'no mesh'))
 
 
 def decoded(group):
@@ -235,7 +237,7 @@ def decoded(group):
     Raises Refusal, KeyError and the like where it is damaged.
     """
     if not isinstance(group['version'], int) or not 1 <= group['version'] <= VERSION:
-        raise Refusal(f"its version is {group['version']!r}")
+        raise Refusal("its version is {version!r}", version=group['version'])
     pool = np.asarray(group['pool'], dtype=np.float64).reshape(-1, 4)
     all_indices = np.asarray(group['indices'])
     if all_indices.dtype != np.int32:
@@ -264,5 +266,5 @@ def decoded(group):
 def _whole(number):
     """A count. Raises Refusal for anything else."""
     if type(number) is not int or not 0 <= number < _MOST:
-        raise ValueError(f"{number!r} is no count")
+        raise ValueError(phrase("{number!r} is no count", number=number))
     return number

@@ -10,6 +10,7 @@ import bpy
 import numpy as np
 
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.shape import definition as definitions
 from ...core.verbs import verbs
 from ..data import animation, blocks, settings, store, tessellate
@@ -72,7 +73,7 @@ class _ByNeed:
         faces = self._take.faces
         for frame, patch_set in zip((*self._take.frames, None), (*self._sets, _patch_set(self._data))):
             if not faces.fits(patch_set):
-                when = "now" if frame is None else f"at frame {frame}"
+                when = "now" if frame is None else phrase("at frame {frame}", frame=frame)
                 raise Refusal(_OTHER_PATCHES.format(self._data.name, when))
         self._take.points = [faces.evaluate_positions(patch_set) for patch_set in self._sets]
         return self._take
@@ -148,17 +149,17 @@ def _require_bakeable(data, count):
     shape.require_untouched(data)
     for user in native_links.users_of(data):
         if user.library or user.override_library:
-            raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
+            raise Refusal("{name} is linked from another file and cannot be changed here", name=user.name)
     size = 12 * count * len(shape.points_of(data))
     if size > _MOST:
-        raise Refusal(f"{data.name} would take {size / 1e9:.1f} GB for {count} frames: bake fewer, or show it by fewer "
-                      "faces")
+        raise Refusal("{name} would take {size:.1f} GB for {count} frames: bake fewer, or show it by fewer faces",
+                      name=data.name, size=size / 1000000000.0, count=count)
 
 
 def _require_no_other_followers(shapes):
     for follower, source in follow.links():
         if source.data in shapes and follower not in shapes:
-            raise Refusal(f"{follower.name} follows {source.name}: bake both together")
+            raise Refusal("{name} follows {source_name}: bake both together", name=follower.name, source_name=source.name)
 
 
 def bake(data, take):
@@ -205,14 +206,14 @@ def is_baked(data):
 
 def frames(data):
     """The first and last frame of the bake, as words."""
-    return f"{data[KEY].get('first')} to {data[KEY].get('last')}"
+    return phrase("{first} to {last}", first=data[KEY].get('first'), last=data[KEY].get('last'))
 
 
 def unbake(data):
     """Put the shape that a baked data-block stands for back in its place. Raises Refusal where that is no more."""
     original = data[KEY].get('original') if is_baked(data) else None
     if type(original) is not type(data) or not store.has_definition(original):
-        raise Refusal(f"the shape that {data.name} was baked from is not there any more")
+        raise Refusal("the shape that {name} was baked from is not there any more", name=data.name)
     if native_links.users_of(original):
         original = original.copy()      # this one is a copy of a baked shape that is live again
     for user in native_links.users_of(data):

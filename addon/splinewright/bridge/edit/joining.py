@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ...core.base.failures import AboutInputs, Refusal, blenders_refusals
+from ...core.base.words import phrase
 from ...core.joints import patch_joints
 from ...core.shape import transform
 from ..curve import handles
@@ -38,7 +39,7 @@ def join_plainly(active, chosen):
 
     Returns a sentence for the user. Raises Refusal, and changes nothing, where Blender refuses.
     """
-    said, ended = f"Joined into {active.name}", [ob.data for ob in chosen if shape.has_shape(ob)]
+    said, ended = phrase("Joined into {name}", name=active.name), [ob.data for ob in chosen if shape.has_shape(ob)]
     count = len(set(ended))
     with blenders_refusals():
         outcome = bpy.ops.object.join()
@@ -49,22 +50,23 @@ def join_plainly(active, chosen):
             shape.detach(data)
         else:
             blocks.remove(data)
-    return f"{said}: {count} definition{'s' if count > 1 else ''} ended"
+    return phrase("{said}: {count} definitions ended", one="{said}: {count} definition ended", said=said, count=count)
 
 
 def ending_in_words(chosen):
     """What join_plainly() ends, as a sentence."""
     shapes, others = ([ob.name for ob in chosen if shape.has_shape(ob) == is_shape] for is_shape in (True, False))
-    are, them = ("is no Splinewright shape", "it") if len(others) == 1 else ("are no Splinewright shapes", "them")
-    names = _listed(shapes)
-    end = f"definition of {names} ends: what it shows" if len(shapes) == 1 else f"definitions of {names} end: what they show"
-    return f"{_listed(others)} {are}. Joined with {them}, the {end} stays, without a net"
+    others_are = phrase("{names} are no Splinewright shapes" if len(others) > 1 else "{names} is no Splinewright shape", names=_listed(others))
+    end = phrase("the definitions of {names} end: what they show stays, without a net" if len(shapes) > 1 else
+                 "the definition of {names} ends: what it shows stays, without a net", names=_listed(shapes))
+    return phrase("{others_are}. Joined with them, {end}" if len(others) > 1 else "{others_are}. Joined with it, {end}",
+                  others_are=others_are, end=end)
 
 
 def _listed(names):
     """A few names in words."""
     if len(names) > 4:
-        names = [*names[:3], f"{len(names) - 3} more"]
+        names = [*names[:3], phrase("{count} more", count=len(names) - 3)]
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 
@@ -136,13 +138,13 @@ def together(active, others):
     """The definition of all pieces in the space of the active shape. Raises Refusal as join() does."""
     for ob in [active, *others]:
         if ob.library or ob.override_library or ob.data.library:
-            raise Refusal(f"{ob.name} is linked from another file")
+            raise Refusal("{name} is linked from another file", name=ob.name)
         recipes.require_free(ob.data)
         shape.require_writable(ob.data)
         shape.require_untouched(ob.data)
     into = np.array(active.matrix_world, dtype=np.float64)
     if np.linalg.det(into[:3, :3]) == 0:
-        raise Refusal(f"{active.name} has a scale of 0: nothing can be put into its space")
+        raise Refusal("{name} has a scale of 0: nothing can be put into its space", name=active.name)
     into = np.linalg.inv(into)
     parts = [store.read(active.data)]
     for ob in others:

@@ -4,6 +4,7 @@ import numpy as np
 from mathutils import Matrix
 
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase
 from ...core.shape import transform
 from ..data import animation, held, settings, store
 from ..follow import follow
@@ -24,7 +25,7 @@ def apply(ob, location, rotation, scale):
     if ob.library or ob.override_library:
         raise Refusal("it is linked from another file")
     if data.users - data.use_fake_user > 1:
-        raise Refusal(f"{data.users} users show the same data: make it single-user first")
+        raise Refusal("{count} users show the same data: make it single-user first", count=data.users)
     recipes.require_free(data)
     _require_still(ob, location, rotation, scale)
     _require_no_keys(data)
@@ -49,7 +50,7 @@ def _require_still(ob, location, rotation, scale):
     for name, is_taken in (('location', location), ('rotation', rotation), ('scale', scale)):
         # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
         if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):
-            raise Refusal(f"its {name} is animated: the keys or drivers would move the shape away again")
+            raise Refusal("its {name} is animated: the keys or drivers would move the shape away again", name=name)
 
 
 def _require_no_keys(data):
@@ -124,11 +125,11 @@ def _map_by_others(data):
     known = store.read_stamp(data)
     is_turned_over = not stamp.same_topology(known, stamp.of(data))
     if is_turned_over and not stamp.same_topology(known, stamp.of_turned_over(data)):
-        raise Refusal(f"its faces or splines were changed, too: {_CURES}")
+        raise Refusal("its faces or splines were changed, too: {cures}", cures=_CURES)
     before, after = shape.evaluated(data, definition, recipes.around(data)).points.astype(np.float64), shape.points_of(data)
     matrix = transform.affine_between(before, after) if len(before) == len(after) else None
     if matrix is None or is_turned_over and not np.linalg.det(matrix[:3, :3]) < 0:
-        raise Refusal(f"it was not moved as a whole: {_CURES}")
+        raise Refusal("it was not moved as a whole: {cures}", cures=_CURES)
     return matrix
 
 
@@ -139,7 +140,8 @@ def _take_in(data, matrix):
     if stored and not recipe_edit.take_along(data, matrix, moved):
         recipes.remove(data)
         _set_definition(data, moved, matrix)
-        return f"{data.name} has no numbers any more: as {stored.recipe.label} it cannot lie like that"
+        return phrase("{name} has no numbers any more: as {label} it cannot lie like that",
+                      name=data.name, label=phrase(stored.recipe.label))
     if not stored:
         _set_definition(data, moved, matrix)
     return ""

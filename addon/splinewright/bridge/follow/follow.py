@@ -6,6 +6,7 @@ import bpy
 from mathutils import Matrix
 
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.recipes.table import FOLLOW
 from ..curve import curve_layers, handles
 from ..data import held, problems, store
@@ -81,7 +82,7 @@ def attach(ob, source, depsgraph):
     Raises Cycle if that follows the shape itself, ValueError if it cannot be followed.
     """
     if not shape.has_shape(ob):
-        raise Refusal(f"{ob.name} is no Splinewright shape: it cannot follow anything")
+        raise Refusal("{name} is no Splinewright shape: it cannot follow anything", name=ob.name)
     require_no_cycle(ob.data, source)
     shape.require_writable(ob.data)
     space = placing.of_object(ob, depsgraph)
@@ -99,7 +100,7 @@ def let_move_freely(data, is_free, depsgraph):
     """Whether a shape that is made from objects is to be moved without them, or to stay on them. Raises as set_parameters()."""
     stored = recipes.read(data)
     if not stored or not recipes.follows(data):
-        raise Refusal(f"{data.name} is not made from objects: it moves freely")
+        raise Refusal("{name} is not made from objects: it moves freely", name=data.name)
     if is_free == placing.moves_freely(data):
         return
     if is_free:
@@ -121,7 +122,7 @@ def set_frame(data, frame, depsgraph, changes=()):
     name. Raises as set_parameters()."""
     stored = recipes.read(data)
     if not stored or not stored.recipe.frame:
-        raise Refusal(f"{data.name} has no axis that an object could give")
+        raise Refusal("{name} has no axis that an object could give", name=data.name)
     if frame is not None:
         require_no_cycle(data, frame)
     frames = (frame,) if frame is not None else ()
@@ -132,9 +133,9 @@ def set_inputs(data, sources, turned, depsgraph):
     """Make a shape from other objects than now, or in another order, each turned or not. Raises as set_parameters()."""
     stored = recipes.read(data)
     if not stored or not stored.recipe.has_more:
-        raise Refusal(f"{data.name} is not made from any number of objects")
+        raise Refusal("{name} is not made from any number of objects", name=data.name)
     if not stored.recipe.takes(len(sources)):
-        raise Refusal(f"it is made from {stored.recipe.wanted}")
+        raise Refusal("it is made from {wanted}", wanted=phrase(stored.recipe.wanted))
     for source in sources:
         if source is not None:
             require_no_cycle(data, source)
@@ -169,7 +170,8 @@ def _in_space(data, wanted, depsgraph):
     state.owners.pop(key(data), None)
     owner, inputs = updating.owner_of(data, updating.Turn(depsgraph)), (*wanted.sources, *wanted.frames)
     if None in inputs:
-        raise Refusal(f"{_missing(data, updating.in_use()) or 'an object it is made from was deleted'}: it stays as it was last")
+        raise Refusal("{missing}: it stays as it was last",
+                      missing=_missing(data, updating.in_use()) or 'an object it is made from was deleted')
     if owner is None:
         raise Refusal("it is in no scene: it stays as it was last")
     return owner, inputs
@@ -187,7 +189,7 @@ def require_no_cycle(data, source):
     while waiting:
         ob = waiting.pop()
         if ob.data == data:
-            raise Cycle(f"{ob.name} would follow itself")
+            raise Cycle("{name} would follow itself", name=ob.name)
         if key(ob) not in seen and ob.data and recipes.follows(ob.data):
             waiting += recipes.all_pointers(ob.data)
         seen.add(key(ob))
@@ -311,7 +313,7 @@ def problem(data):
         return str(error)
     missing = _missing(data, updating.in_use())
     if missing:
-        return f"{missing}: it stays as it was last"
+        return phrase("{missing}: it stays as it was last", missing=missing)
     return problems.of(data, problems.FOLLOWING)
 
 
@@ -335,7 +337,7 @@ def _missing(data, in_use):
     if not gone:
         return ""
     named = " and ".join(filter(None, (", ".join(gone[:-1]), gone[-1])))
-    return f"{named} {'was' if len(gone) == 1 else 'were'} deleted, or {'is' if len(gone) == 1 else 'are'} in no scene"
+    return phrase("{named} were deleted, or are in no scene" if len(gone) > 1 else "{named} was deleted, or is in no scene", named=named)
 
 
 _KINDS = {'CURVE': "the curve", 'SURFACE': "the surface", 'MESH': "the surface", 'EMPTY': "the point", 'FONT': "the text"}

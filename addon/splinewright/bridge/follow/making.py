@@ -5,6 +5,7 @@ from contextlib import suppress
 import numpy as np
 
 from ...core.base.failures import FAILURES, Refusal, WrongKind
+from ...core.base.words import phrase
 from ..data import settings
 from ..shape import recipe_edit, shape
 from . import follow, recipe_results, scene_tolerance
@@ -41,32 +42,33 @@ def points_for(recipe, points, values):
     """Points (n, 3) as the recipe takes them with these values of its parameters. Raises WrongKind or Refusal."""
     points = np.array(points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3:
-        raise WrongKind(f"points have the shape {points.shape}: (n, 3) is expected")
+        raise WrongKind("points have the shape {shape}: (n, 3) is expected", shape=points.shape)
     if not np.isfinite(points).all():
         raise Refusal("a point is not finite")
     if not recipe.points:
-        raise Refusal(f"{recipe.label} is made from numbers alone: it takes no points")
+        raise Refusal("{label} is made from numbers alone: it takes no points", label=phrase(recipe.label))
     count = len(recipe.start_for(values))
     if not recipe.can_gain_points and len(points) != count:
-        raise Refusal(f"{recipe.label} takes {count} points, not {len(points)}")
+        raise Refusal("{label} takes {count} points, not {given}", label=phrase(recipe.label), count=count, given=len(points))
     return points
 
 
 def _require_inputs(recipe, sources, frame, depsgraph):
     if frame is not None and not recipe.frame:
-        raise Refusal(f"{recipe.label} has no axis that an object could give")
+        raise Refusal("{label} has no axis that an object could give", label=phrase(recipe.label))
     if recipe.has_places:
         if len(sources) < 2:
-            raise Refusal(f"{recipe.label} takes two objects or more")
+            raise Refusal("{label} takes two objects or more", label=phrase(recipe.label))
     elif not recipe.takes(len(sources)):
-        raise Refusal(f"{recipe.label} is made from {recipe.wanted}")
+        raise Refusal("{label} is made from {wanted}", label=phrase(recipe.label), wanted=phrase(recipe.wanted))
     else:
         for source in sources:
             if not recipe_results.can_make(recipe, source):
-                raise Refusal(f"{source.name} cannot be an input: {recipe.label} is made from {recipe.wanted}")
+                raise Refusal("{name} cannot be an input: {label} is made from {wanted}",
+                              name=source.name, label=phrase(recipe.label), wanted=phrase(recipe.wanted))
     for ob in (*sources, *filter(None, [frame])):
         if not shape.is_shown(ob, depsgraph):
-            raise Refusal(f"{ob.name} is hidden, or is not in this view layer: show it first")
+            raise Refusal("{name} is hidden, or is not in this view layer: show it first", name=ob.name)
 
 
 def _suggested(recipe, sources, depsgraph):

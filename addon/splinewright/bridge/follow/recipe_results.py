@@ -142,8 +142,8 @@ def definition_of(source, depsgraph):
     if shape.has_shape(source):
         return store.read(source.data)
     if not is_possible(source):
-        raise Refusal(f"{source.name} is not a curve, surface or Splinewright shape")
+        raise Refusal("{name} is not a curve, surface or Splinewright shape", name=source.name)
     reading = read_native.read(source, depsgraph)
     if reading.value is None:
-        raise Refusal(f"{source.name} shows nothing that could be followed")
+        raise Refusal("{name} shows nothing that could be followed", name=source.name)
     return definitions.from_value(reading.value)

@@ -9,6 +9,7 @@ import numpy as np
 
 from ...core.base.failures import Refusal, text_of
 from ...core.base.library import sc
+from ...core.base.words import phrase
 from ..data import problems, store
 from ..data.file_state import block_of, key, state
 from ..recipes import late, placing, recipes
@@ -116,7 +117,7 @@ def _ready(data, turn):
         return None, None
     for source, was_shape in zip(stored.sources, stored.were_shapes):
         if was_shape and not shape.has_shape(source):
-            raise Refusal(f"{source.name} is not a Splinewright shape any more: it stays as it was last")
+            raise Refusal("{name} is not a Splinewright shape any more: it stays as it was last", name=source.name)
     return stored, placing.kept_up(data, owner, pointed, turn.depsgraph)
 
 
@@ -161,7 +162,7 @@ def _is_untouched(data):
 def _naming_input(data, sentence):
     """A sentence with the name of the one object that a follower is made from, where it lacks that."""
     pointed = recipes.pointed_by_name(data)
-    return sentence if len(pointed) != 1 or pointed[0][0] in sentence else f"{pointed[0][0]}: {sentence}"
+    return sentence if len(pointed) != 1 or pointed[0][0] in sentence else phrase("{name}: {sentence}", name=pointed[0][0], sentence=sentence)
 
 
 def _same(a, b):

@@ -8,6 +8,7 @@ import re
 
 import numpy as np
 
+from ...core.base.words import phrase
 from ...core.shape import keyed_rows
 from ..cage import net_object
 from ..data import animation, store
@@ -92,12 +93,13 @@ def given(data, evaluated):
     there = chosen[is_there]
     after, problem = keyed_rows.taken(definition, of_item[there], values(evaluated)[there], is_given[there])
     if not is_there.all():
-        problem = problem or f"keys are of {_points((~is_there).sum())} that the shape has not: use Clear Point Keyframes"
+        problem = problem or phrase("keys are of {points} that the shape has not: use Clear Point Keyframes",
+                                    points=_points(int((~is_there).sum())))
     return (None if after is definition else after), problem
 
 
 def _points(count):
-    return "1 point" if count == 1 else f"{count} points"
+    return phrase("{count} points", one="{count} point", count=count)
 
 
 def show(data, pool):
@@ -182,7 +184,8 @@ def sweep(data):
 def tell_lost(data, count):
     """Keep for the next report that keys of this number of points went."""
     if count:
-        state.lost_keys.append(f"{data.name}: the keys of {_points(count)} went, which became others or are gone")
+        state.lost_keys.append(phrase("{name}: the keys of {count} went, which became others or are gone",
+                                      name=data.name, count=_points(count)))
 
 
 def clear(data, items, drivers_too=True):

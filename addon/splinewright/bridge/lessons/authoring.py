@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.lessons import reading
 from ...core.lessons.drafts import Present
 from ...core.lessons.measures import Shown
@@ -48,7 +49,7 @@ def present(obs, names, depsgraph):
 
 def _present(ob, names, depsgraph):
     if shape.is_touched(ob.data):
-        raise Refusal(f"{ob.name} was changed by hand: Restore it first")
+        raise Refusal("{name} was changed by hand: Restore it first", name=ob.name)
     stored, faces = recipes.read(ob.data), _faces(ob.data)
     why = _why_value(ob, stored, names, depsgraph) if stored else ""
     if stored is None or why:
@@ -100,7 +101,7 @@ def _why_value(ob, stored, names, depsgraph):
         return "what it was made from is gone"
     strange = next((source.name for source in stored.sources if source not in names), "")
     if strange:
-        return f"it is made from {strange}, which is not a shape of the lesson"
+        return phrase("it is made from {strange}, which is not a shape of the lesson", strange=strange)
     if not _is_at(ob, placing.beside(stored.sources[0], depsgraph).matrix, depsgraph):
         return "it does not lie where it was made"
     is_own = stored.recipe.own_spaces or stored.recipe.takes_spaces

@@ -14,11 +14,11 @@ def rows_of(path, lessons):
     path = Path(path)
     name = path.name.encode('utf-8', 'replace').decode('utf-8')
     if not path.is_file():
-        raise Refusal(f"{name}: there is no such file")
+        raise Refusal("{name}: there is no such file", name=name)
     try:
         record, own = _read(path)
     except (OSError, RuntimeError) as error:
-        raise Refusal(f"{name} is no file of Blender: {error}") from None
+        raise Refusal("{name} is no file of Blender: {error}", name=name, error=error) from None
     return answers.rows(name, record, {**lessons, **own})
 
 

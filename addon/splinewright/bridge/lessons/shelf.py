@@ -22,7 +22,7 @@ def all_lessons():
     for path in sorted(FOLDER.glob("*.json")):
         lesson = read(path)[0]
         if lesson.name in found:
-            raise Refusal(f"{path.name}: a lesson {lesson.name!r} is there already")
+            raise Refusal("{name}: a lesson {lesson_name!r} is there already", name=path.name, lesson_name=lesson.name)
         found[lesson.name] = lesson
     return found
 
@@ -34,13 +34,14 @@ def read(path):
         if not path.is_file():
             raise Refusal("there is no such file")
         if path.stat().st_size > reading.MOST_BYTES:
-            raise Refusal(f"it has {path.stat().st_size:,} bytes: {reading.MOST_BYTES:,} are the most")
+            raise Refusal("it has {count:,} bytes: {most_bytes:,} are the most",
+                          count=path.stat().st_size, most_bytes=reading.MOST_BYTES)
         text = path.read_text(encoding='utf-8-sig')
         return read_text(text), text
     except UnicodeDecodeError:
-        raise Refusal(f"{_printable(path.name)}: it is not a text file") from None
+        raise Refusal("{name}: it is not a text file", name=_printable(path.name)) from None
     except (OSError, ValueError) as error:      # a Refusal is a ValueError, as is what a path must not hold
-        raise Refusal(f"{_printable(path.name)}: {getattr(error, 'strerror', None) or error}") from None
+        raise Refusal("{name}: {error}", name=_printable(path.name), error=getattr(error, 'strerror', None) or error) from None
 
 
 def _printable(text):
@@ -58,12 +59,12 @@ def read_block(name):
     """(the lesson of a text of the open file, its text). Raises Refusal."""
     block = bpy.data.texts.get(name)
     if block is None:
-        raise Refusal(f"there is no text {name!r} in this file")
+        raise Refusal("there is no text {name!r} in this file", name=name)
     text = block.as_string()
     try:
         return read_text(text), text
     except Refusal as error:
-        raise Refusal(f"{name}: {error}") from None
+        raise Refusal("{name}: {error}", name=name, error=error) from None
 
 
 def blocks():

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...core.base.failures import Refusal
 from ...core.lessons import answers as kept_answers
-from ...core.lessons import checking, words
+from ...core.lessons import checking, in_words
 from ...core.lessons.facets import Facets
 from ...core.lessons.measures import Shown
 from ...core.recipes.table import RECIPES
@@ -83,7 +83,7 @@ def advance(scene, lesson):
 
 def _select(scene, lesson):
     """Let what the step speaks of be selected, and the shape to be moved be active. Shapes that a learner removed are left out."""
-    names = words.spoken_of(lesson.steps[:step_of(scene) + 1])
+    names = in_words.spoken_of(lesson.steps[:step_of(scene) + 1])
     shown = {str(ob[SHAPE]): ob for ob in scene.view_layers[0].objects if SHAPE in ob.keys()}
     for ob in scene.view_layers[0].objects:
         ob.select_set(ob in (shown.get(name) for name in names), view_layer=scene.view_layers[0])
@@ -145,7 +145,7 @@ def object_of(scene, name):
     """The object of a shape of the lesson. Raises Refusal where a learner removed it."""
     found = next((ob for ob in scene.objects if ob.get(SHAPE) == name), None)
     if found is None or not shape.has_shape(found):
-        raise Refusal(f"{name} is gone: Reset brings it back")
+        raise Refusal("{name} is gone: Reset brings it back", name=name)
     return found
 
 

@@ -5,6 +5,7 @@ import time
 import bpy
 
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import phrase
 from ...core.lessons import checking
 from ...core.lessons.measures import measured
 from ...core.lessons.lesson import Measure
@@ -21,13 +22,14 @@ def faults(lesson, before, overlays):
     is removed again."""
     found = [] if any(step.ask is not None for step in lesson.steps) else ["no step asks anything"]
     for number, step in enumerate(lesson.steps, 1):
-        found += [f"step {number}: there is no overlay {name!r}" for name in step.overlays if name not in overlays]
+        found += [phrase("step {number}: there is no overlay {name!r}",
+                         number=number, name=name) for name in step.overlays if name not in overlays]
     known = set(bpy.data.scenes)
     try:
         started = time.perf_counter()
         scene = stage.begin(lesson, before)
     except FAILURES as error:
-        return [*found, f"step 1 cannot be made: {sentence(error)}"]
+        return [*found, phrase("step 1 cannot be made: {error}", error=sentence(error))]
     try:
         return found + list(_of_steps(scene, lesson, started))
     finally:
@@ -43,16 +45,17 @@ def _of_steps(scene, lesson, started):
                 stage.advance(scene, lesson)
             taken = time.perf_counter() - started
         except FAILURES as error:
-            yield f"step {number + 1} cannot be made: {sentence(error)}"
+            yield phrase("step {number} cannot be made: {error}", number=number + 1, error=sentence(error))
             return
         if taken > LONGEST:
-            yield f"step {number + 1} takes {taken:.1f} seconds: {LONGEST:g} are the most"
+            yield phrase("step {number} takes {taken:.1f} seconds: {longest:g} are the most",
+                         number=number + 1, taken=taken, longest=LONGEST)
         try:
             for what in _of_step(scene, lesson, number, step):
-                yield f"step {number + 1}: {what}"
+                yield phrase("step {number}: {what}", number=number + 1, what=what)
             stage.rebuild(scene, lesson, number)
         except FAILURES as error:
-            yield f"step {number + 1}: {sentence(error)}"
+            yield phrase("step {number}: {error}", number=number + 1, error=sentence(error))
             return
 
 
@@ -70,13 +73,14 @@ def _of_step(scene, lesson, number, step):
     elif step.ask.kind == 'point':
         yield from _without_points(scene, step.ask.shape, step.ask.points)
         if recipes.follows(stage.object_of(scene, step.ask.shape).data):
-            yield f"{step.ask.shape} follows other shapes: its points cannot be picked"
+            yield phrase("{shape} follows other shapes: its points cannot be picked", shape=step.ask.shape)
 
 
 def _without_points(scene, name, points):
     count = len(store.pool(stage.object_of(scene, name).data))
     if points and max(points) >= count:
-        yield f"{name} has the points 0 to {count - 1}, and none with the number {max(points)}"
+        yield phrase("{name} has the points 0 to {count}, and none with the number {points}",
+                     name=name, count=count - 1, points=max(points))
 
 
 def _of_deed(scene, lesson, number, step):
@@ -85,7 +89,7 @@ def _of_deed(scene, lesson, number, step):
     for i, wrong in enumerate(step.wrong, 1):
         stage.change(scene, wrong)
         if checking.is_right(step.ask, stage.shapes_of(scene)):
-            yield f"the wrong answer {i} is taken for right"
+            yield phrase("the wrong answer {number} is taken for right", number=i)
         stage.rebuild(scene, lesson, number)
     stage.change(scene, step.solution)
     if not checking.is_right(step.ask, stage.shapes_of(scene)):

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
+from ...core.base.words import phrase
 from . import mesh_groups, mesh_layers, mesh_marks, mesh_sharp
 from .mesh_layers import ATTRIBUTES, Layer, MOST_UV_MAPS, UV_NAME, read
 
@@ -124,8 +125,8 @@ def in_words(kept):
     """What was kept, but for vertex groups, as nouns for the user."""
     if kept is None:
         return []
-    found = [f"the UV map {layer.name}" for layer in kept.layers if layer.data_type == 'UV']
-    found += [f"the attribute {layer.name}" for layer in kept.layers if layer.data_type in ATTRIBUTES]
+    found = [phrase("the UV map {name}", name=layer.name) for layer in kept.layers if layer.data_type == 'UV']
+    found += [phrase("the attribute {name}", name=layer.name) for layer in kept.layers if layer.data_type in ATTRIBUTES]
     others = [layer for layer in kept.layers if layer.data_type not in ('UV', *ATTRIBUTES)]
     return found + ["marks of edges"] * bool(kept.marks) + ["marks of faces and vertices"] * bool(others)
 

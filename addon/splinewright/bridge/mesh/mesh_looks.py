@@ -73,7 +73,8 @@ def set_material(mesh, piece, index):
     patches = _patches(mesh)
     count = 0 if patches is None else 1 + int(patches.max())
     if piece > count:
-        raise Refusal(f"the shape has {count} patch{'' if count == 1 else 'es'}, there is none of number {piece}")
+        raise Refusal("the shape has {count} patches, there is none of number {number}",
+                      "the shape has {count} patch, there is none of number {number}", count=count, number=piece)
     indices = np.empty(len(mesh.polygons), np.int32)
     mesh.polygons.foreach_get('material_index', indices)
     indices[(patches == piece - 1) if piece else slice(None)] = index

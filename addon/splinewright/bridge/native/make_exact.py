@@ -55,7 +55,7 @@ def _require_native(ob, users):
         raise Refusal("it is exact already")
     for block in [ob.data, *(users if ob.type == 'SURFACE' else [])]:
         if block.library or block.override_library:
-            raise Refusal(f"{block.name} is linked from another file and cannot be changed here")
+            raise Refusal("{name} is linked from another file and cannot be changed here", name=block.name)
     if ob.data.is_editmode:
         raise Refusal("leave Edit Mode first")
 
@@ -70,7 +70,7 @@ def _become_curve(context, ob):
     with staging.alone(context, ob), blenders_refusals():
         bpy.ops.object.convert(target='CURVE')
     if ob.type != 'CURVE':
-        raise Refusal(f"Blender did not convert {ob.name}")
+        raise Refusal("Blender did not convert {name}", name=ob.name)
 
 
 def _curve(context, ob, reading, users):

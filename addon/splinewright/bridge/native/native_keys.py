@@ -13,9 +13,9 @@ def mixed(splines, ob, keys):
     `keys` may be evaluated, for values that are animated. Raises Refusal where it cannot be told.
     """
     if not keys.use_relative and not ob.show_only_shape_key:
-        raise Refusal(f"{ob.name} has absolute shape keys, which are not read from surfaces")
+        raise Refusal("{name} has absolute shape keys, which are not read from surfaces", name=ob.name)
     if any(len(block.data) != sum(map(_point_count, splines)) for block in keys.key_blocks):
-        raise Refusal(f"{ob.name} has shape keys of another number of points")
+        raise Refusal("{name} has shape keys of another number of points", name=ob.name)
     basis = keys.reference_key
     if ob.show_only_shape_key:
         shown = keys.key_blocks[ob.active_shape_key_index]

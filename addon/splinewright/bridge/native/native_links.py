@@ -2,19 +2,20 @@
 
 import bpy
 
+from ...core.base.words import phrase
 from ..data import animation
 
 
 def hooked_points(users):
     """Nouns for the points that hooks on these objects name by number."""
-    return [f"the points of the modifier {modifier.name}"
+    return [phrase("the points of the modifier {name}", name=modifier.name)
             for ob in users for modifier in ob.modifiers if modifier.type == 'HOOK']
 
 
 def parented_points(users):
     """Nouns for the points of these objects that others are parented to."""
     children = [child for ob in users for child in ob.children if child.parent_type in ('VERTEX', 'VERTEX_3')]
-    return [f"the points that {child.name} is parented to" for child in children]
+    return [phrase("the points that {name} is parented to", name=child.name) for child in children]
 
 
 def drop_point_animation(data):

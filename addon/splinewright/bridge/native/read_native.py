@@ -7,6 +7,7 @@ import bpy
 
 from ...core.base.failures import Refusal
 from ...core.base.library import sc
+from ...core.base.words import phrase
 from ...core.native import native_values
 from . import native_keys, native_splines
 
@@ -41,7 +42,7 @@ def read(ob, depsgraph=None):
     the edited state. Raises Refusal with a sentence where it is unclear what Blender draws.
     """
     if ob.type not in ('CURVE', 'SURFACE'):
-        raise Refusal(f"{ob.name} is not a curve or surface")
+        raise Refusal("{name} is not a curve or surface", name=ob.name)
     is_surface = ob.type == 'SURFACE'
     splines, materials = _splines(ob, is_surface, depsgraph)
     make = native_values.surface_value if is_surface else native_values.curve_value
@@ -50,7 +51,7 @@ def read(ob, depsgraph=None):
         try:
             piece, words = make(spline, f"spline {i + 1}")
         except (Refusal, sc.Error) as error:
-            piece, words = None, [f"spline {i + 1} ({error})"]
+            piece, words = None, [phrase("spline {i} ({error})", i=i + 1, error=error)]
         dropped += words
         if piece is not None:
             pieces.append(piece)
@@ -100,7 +101,7 @@ def _of_evaluated(ob, depsgraph):
     try:
         return _of_data(ob.to_curve(depsgraph, apply_modifiers=True), False)
     except RuntimeError as error:
-        raise Refusal(f"{ob.name} has no evaluated points ({error})") from error
+        raise Refusal("{name} has no evaluated points ({error})", name=ob.name, error=error) from error
     finally:
         ob.to_curve_clear()
 
@@ -118,7 +119,8 @@ def not_followed(ob):
     """What of a native object read() does not read even with a depsgraph: nouns for the user."""
     found = [] if ob.type == 'SURFACE' else _thickness(ob.data)
     followed = 0 if ob.type == 'SURFACE' or ob.data.is_editmode else _modifiers_on_points(ob)
-    return found + [f"the modifier {modifier.name}" for modifier in ob.modifiers[followed:] if modifier.show_viewport]
+    return found + [phrase("the modifier {name}",
+                           name=modifier.name) for modifier in ob.modifiers[followed:] if modifier.show_viewport]
 
 
 def _modifiers_on_points(ob):

@@ -3,6 +3,7 @@
 import bpy
 
 from ...core.base.failures import Refusal, blenders_refusals
+from ...core.base.words import phrase
 from ..data import blocks
 from . import staging
 
@@ -73,7 +74,8 @@ def _become(context, ob, stand_in, target, data):
             slot.link = link
             if link == 'OBJECT':
                 slot.material = material
-        return [f"the modifier {modifier.name}" for modifier in keeper.modifiers if modifier.name not in ob.modifiers]
+        return [phrase("the modifier {name}",
+                       name=modifier.name) for modifier in keeper.modifiers if modifier.name not in ob.modifiers]
     finally:
         bpy.data.objects.remove(keeper)
         blocks.remove(stand_in)
@@ -89,7 +91,7 @@ def _convert(ob, stand_in, target):
             modifier.show_viewport = False
         bpy.ops.object.convert(target=target)
         if ob.type != target:
-            raise Refusal(f"Blender did not convert {ob.name}")
+            raise Refusal("Blender did not convert {name}", name=ob.name)
     except (RuntimeError, Refusal):
         ob.data = old
         for modifier, is_shown in zip(ob.modifiers, shown):

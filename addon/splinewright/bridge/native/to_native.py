@@ -1,6 +1,7 @@
 """Shapes become Blender's own curves and surfaces, in their place."""
 
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.shape.definition import CURVES
 from ..curve import curve_layers, handles
 from ..data import animation, held, settings, store, tessellate
@@ -26,7 +27,7 @@ def to_native(context, ob):
     shape.require_untouched(data)
     for user in users:
         if ob.type == 'MESH' and (user.library or user.override_library):
-            raise Refusal(f"{user.name} is linked from another file and cannot be changed here")
+            raise Refusal("{name} is linked from another file and cannot be changed here", name=user.name)
     value = shape.value_of(data)
     planned = write_native.plan(value)
     parented = native_links.parented_points(users)
@@ -51,7 +52,7 @@ def _curve(context, ob, value, planned, users):
     unlike = native_layers.give(data, planned, [curve.domain for curve in curves], pieces)
     if is_flat:
         data.dimensions = '2D'
-    return deviation, lost + unfilled + [f"{noun} of single points" for noun in unlike]
+    return deviation, lost + unfilled + [phrase("{noun} of single points", noun=noun) for noun in unlike]
 
 
 def _beside(data):

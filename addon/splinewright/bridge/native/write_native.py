@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from ...core.base.failures import Refusal
 from ...core.base.library import sc
+from ...core.base.words import phrase
 from ...core.native import native_density, native_forms
 from ...core.shape.definition import CURVES
 from ..data import versions
@@ -22,8 +23,8 @@ class Plan(NamedTuple):
         count = len({number for form, number in zip(self.forms, self.numbers) if not form.is_as_given})
         if not count:
             return []
-        who = "1 piece has" if count == 1 else f"{count} pieces have"
-        return [f"{who} knots or weights that Blender cannot hold: the same shape in Bezier pieces"]
+        who = "1 piece has" if count == 1 else phrase("{count} pieces have", count=count)
+        return [phrase("{who} knots or weights that Blender cannot hold: the same shape in Bezier pieces", who=who)]
 
 
 def plan(value):
@@ -43,7 +44,8 @@ def plan(value):
         try:
             forms = make(piece)
         except (Refusal, sc.Error) as error:
-            raise Refusal(f"piece {number + 1}: {error}" if len(pieces) > 1 else str(error)) from error
+            raise Refusal(phrase("piece {number}: {error}",
+                                 number=number + 1, error=error) if len(pieces) > 1 else str(error)) from error
         found.forms.extend(forms)
         found.numbers.extend([number] * len(forms))
     return found

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ...core.base.words import phrase
 from ...core.joints import held as seams_that_hold
 from ...core.joints import held_bounds
 from ..data import held, store
@@ -59,7 +60,8 @@ def _kept(data, current, definition):
         kept = tuple(joint for joint in seams if stays(definition, joint))
     if len(kept) < len(seams):
         held.write(data, kept)
-        current.released = f"{len(seams) - len(kept)} of the joints that held are released: what they joined is not there any more"
+        current.released = phrase("{count} of the joints that held are released: what they joined is not there any more",
+                                  count=len(seams) - len(kept))
     return kept
 
 

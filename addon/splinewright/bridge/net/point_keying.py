@@ -16,11 +16,11 @@ from . import keyed_net, live
 def require_free(data):
     """Raises Refusal where points of a data-block cannot have keys."""
     if recipes.has(data):
-        raise Refusal(f"{data.name} is made by a recipe: key its numbers in the panel, or use Apply Construction first")
+        raise Refusal("{name} is made by a recipe: key its numbers in the panel, or use Apply Construction first", name=data.name)
     shape.require_writable(data)
     action = data.animation_data.action if data.animation_data else None
     if action is not None and (action.library or action.override_library):
-        raise Refusal(f"the keys of {data.name} are linked from another file: make them local first")
+        raise Refusal("the keys of {name} are linked from another file: make them local first", name=data.name)
 
 
 def insert(data, rows, frame, place=True, weight=True):
@@ -80,7 +80,7 @@ def put(data, row, place, weight):
     require_free(data)
     definition = store.read(data)
     if not 0 <= row < len(definition.pool):
-        raise Refusal(f"{data.name} has no point {row} any more")
+        raise Refusal("{name} has no point {row} any more", name=data.name, row=row)
     given = np.array([[*place, weight]], np.float32)
     after, problem = keyed_rows.taken(definition, np.array([row]), given, np.ones((1, 4), bool))
     if problem:

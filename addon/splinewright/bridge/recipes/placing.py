@@ -45,7 +45,7 @@ def of_object(ob, depsgraph):
     """The Space of an object, or of the world for None. Raises Refusal where that has no room for anything."""
     matrix = world(ob, depsgraph)
     if not abs(np.linalg.det(matrix[:3, :3])) > 0.0:
-        raise Refusal(f"{ob.name} has a scale of 0: it cannot show what it follows")
+        raise Refusal("{name} has a scale of 0: it cannot show what it follows", name=ob.name)
     return Space(matrix, depsgraph)
 
 
@@ -161,7 +161,8 @@ def _matrices(data, name):
             return found.copy()
     except (TypeError, ValueError):
         pass
-    raise store.UnreadableDefinition(f"The recipe of {data.name} is damaged (its place is none): it is shown as it was last")
+    raise store.UnreadableDefinition("The recipe of {name} is damaged (its place is none): it is shown as it was last",
+                                     name=data.name)
 
 
 def _write(data, place, seen, relative):

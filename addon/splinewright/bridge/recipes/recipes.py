@@ -156,8 +156,9 @@ def read(data):
 
 
 def _damaged(data, reason):
-    return store.UnreadableDefinition(f"The recipe of {data.name} is damaged ({str(reason)[:200]}): "
-                                      "it is shown as it was last, and Apply Construction drops the recipe")
+    return store.UnreadableDefinition("The recipe of {name} is damaged ({reason}): it is shown as it was last, and Apply "
+                                      "Construction drops the recipe",
+                                      name=data.name, reason=str(reason)[:200])
 
 
 def _recipe(data, group):
@@ -165,7 +166,7 @@ def _recipe(data, group):
     if type(version) is not int or type(stored_kind) is not str:
         raise _damaged(data, "its version or kind is none")
     if version > VERSION or stored_kind not in RECIPES:
-        raise store.UnreadableDefinition(f"{data.name} has a recipe of a newer Splinewright: it is shown as it was last")
+        raise store.UnreadableDefinition("{name} has a recipe of a newer Splinewright: it is shown as it was last", name=data.name)
     return RECIPES[stored_kind]
 
 
@@ -241,9 +242,9 @@ def remove(data):
 def require_free(data):
     """Raises Refusal where a recipe would overwrite changes made by other means."""
     if follows(data):
-        raise Refusal(f"{data.name} follows another object: use Apply Construction first")
+        raise Refusal("{name} follows another object: use Apply Construction first", name=data.name)
     if has(data):
-        raise Refusal(f"{data.name} is made by a recipe: change its numbers in the panel, or use Apply Construction first")
+        raise Refusal("{name} is made by a recipe: change its numbers in the panel, or use Apply Construction first", name=data.name)
 
 
 def of(data):

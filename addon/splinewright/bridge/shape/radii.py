@@ -14,7 +14,7 @@ def along_curve(ob, definition):
     """The curve over the domain of the one piece of a definition, as recipe_results.definition_of() gives it, of which x is
     the radius that an object has there. Raises Refusal where there is none."""
     if not definition.has_curves:
-        raise Refusal(f"{ob.name} is not a curve: it has no radius")
+        raise Refusal("{name} is not a curve: it has no radius", name=ob.name)
     if len(definition.pieces) != 1:
         raise Refusal(_SEVERAL.format(ob.name, len(definition.pieces)))
     curve = verbs.curves_of(definition)[0]
@@ -35,5 +35,5 @@ def _own_of_points(ob, definition, curve):
     radii = np.array([point.radius for point in spline.bezier_points or spline.points], np.float64)
     count = len(along.mixture(definition, 0, curve, np.zeros(1)).own)
     if len(ob.data.splines) != 1 or len(radii) != count:
-        raise Refusal(f"{ob.name} has other points than its curve: its radius is not followed. Make it exact first")
+        raise Refusal("{name} has other points than its curve: its radius is not followed. Make it exact first", name=ob.name)
     return radii

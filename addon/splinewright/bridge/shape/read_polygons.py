@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ...core.base.words import phrase
 from ...core.shape.polygons import Polygons, require_faces
 from ..data import versions
 from . import shape
@@ -30,7 +31,7 @@ def polygons_of(ob, matrix):
 def not_followed(ob):
     """What of the object polygons_of() does not read: nouns for the user."""
     keys = ["the shape keys"] if ob.data.shape_keys else []
-    return keys + [f"the modifier {modifier.name}" for modifier in ob.modifiers if modifier.show_viewport]
+    return keys + [phrase("the modifier {name}", name=modifier.name) for modifier in ob.modifiers if modifier.show_viewport]
 
 
 def _has_creases(mesh):

@@ -6,6 +6,7 @@ import numpy as np
 
 from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
+from ...core.base.words import phrase
 from ...core.shape import definition as definitions
 from ..cage import free_net
 from ..curve import curve_layers
@@ -104,7 +105,7 @@ def follow_points(data, net, is_turned):
     recipe, spline = recipes.of(data), free_net.require_one_polygon(net)
     _require_no_weights(net.weights)
     if spline.closed and not recipe.can_close:
-        raise Refusal(f"{recipe.label} cannot be closed: open its net (Toggle Cyclic), the shape waits")
+        raise Refusal("{label} cannot be closed: open its net (Toggle Cyclic), the shape waits", label=phrase(recipe.label))
     if spline.count < 2:
         raise Refusal("a curve needs two points: the shape waits for more")
     points = net.positions[::-1] if recipe.has_groups and is_turned else net.positions

@@ -160,7 +160,7 @@ def _finish(data, picture, progress):
 def detach(data):
     """Leave a plain Mesh or Curve: what it shows stays, with exact normals where a drag left them out, the definition goes."""
     if data.library or data.override_library:
-        raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
+        raise Refusal("{name} is linked from another file and cannot be changed here", name=data.name)
     if store.is_draft(data) and not is_touched(data):
         with suppress(*FAILURES):
             restore(data)
@@ -278,17 +278,18 @@ def require_writable(data):
     """Raises Refusal where writing would be lost, or would lose something."""
     store.require_known_version(data)
     if data.library:
-        raise Refusal(f"{data.name} is linked from another file and cannot be changed here")
+        raise Refusal("{name} is linked from another file and cannot be changed here", name=data.name)
     if data.override_library or data.is_evaluated:
-        raise Refusal(f"{data.name} is an evaluated copy: change the original")
+        raise Refusal("{name} is an evaluated copy: change the original", name=data.name)
     if data.is_editmode:
-        raise Refusal(f"{data.name} is in Edit Mode: leave it first")
+        raise Refusal("{name} is in Edit Mode: leave it first", name=data.name)
     if data.shape_keys:
-        raise Refusal(f"{data.name} has shape keys, which hold other positions: remove them first")
+        raise Refusal("{name} has shape keys, which hold other positions: remove them first", name=data.name)
 
 
 def require_untouched(data):
     """Raises Refusal where writing would throw away what others made of the geometry."""
     if is_touched(data):
-        raise Refusal(f"{data.name} was changed by hand since Splinewright wrote it: "
-                         "Restore throws the changes away, Detach keeps them and ends the shape")
+        raise Refusal("{name} was changed by hand since Splinewright wrote it: Restore throws the changes away, Detach keeps them "
+                      "and ends the shape",
+                      name=data.name)

@@ -9,10 +9,14 @@ import traceback
 from contextlib import contextmanager
 
 from .library import sc
+from .words import Phrase, phrase
 
 
 class Refusal(ValueError):
-    """Something is not done, for a reason that a modeler understands; nothing has changed."""
+    """Something is not done, for a reason that a modeler understands; nothing has changed: a phrase, see words.py."""
+
+    def __init__(self, pattern="", /, one="", **arguments):
+        super().__init__(phrase(pattern, one, **arguments))
 
 
 class WrongKind(Refusal, TypeError):
@@ -23,12 +27,18 @@ class AboutInputs(Refusal):
     """Something is not made for a reason that lies in some of its inputs: a sentence with {} for each, and their numbers from 0."""
 
     def __init__(self, text, *numbers):
-        super().__init__(text.format(*(f"input {number + 1}" for number in numbers)))
         self.text, self.numbers = text, numbers
+        super().__init__(*self._filled(phrase("input {number}", number=number + 1) for number in numbers))
 
     def named(self, names):
         """The Refusal with the names of the inputs."""
-        return Refusal(self.text.format(*(names[number] for number in self.numbers)))
+        return Refusal(*self._filled(names[number] for number in self.numbers))
+
+    def _filled(self, names):
+        """A phrase with {a}, {b} ... for the inputs, as it stands in the catalog."""
+        letters = iter("abcdefghij")
+        pattern = re.sub(r"(?<!\{)\{\}(?!\})", lambda _: f"{{{next(letters)}}}", self.text)
+        return (phrase(pattern, **dict(zip("abcdefghij", names))),)
 
 
 @contextmanager
@@ -72,6 +82,8 @@ def sentence(error):
     """One of the FAILURES in words."""
     if isinstance(error, MemoryError):
         return "there is not enough memory"
+    if isinstance(error, Refusal) and isinstance(error.args[0], Phrase):
+        return error.args[0]
     return getattr(error, 'strerror', None) or str(error)
 
 

@@ -29,7 +29,7 @@ def in_grid(faces):
     keys = np.array(list(where))
     low, counts = keys.min(axis=0), np.ptp(keys, axis=0) + 1
     if counts.prod() != len(where) or len(faces) != np.prod([n if period else n - 1 for n, period in zip(counts, periods)]):
-        raise Refusal(f"{_NO_GRID}: some are missing")
+        raise Refusal("{no_grid}: some are missing", no_grid=_NO_GRID)
     rows = np.empty(counts, dtype=np.int64)
     rows[tuple((keys - low).T)] = list(where.values())
     return rows, tuple(map(bool, periods))

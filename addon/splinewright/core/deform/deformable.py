@@ -33,7 +33,8 @@ def around(start, sweep, tolerance, keeps_ends=False):
     share = abs(turn) / (2 * math.pi)
     spans = next((count for count in range(_FEWEST, _MOST + 1, _STEP) if of_spans(count)[1] <= tolerance), None)
     if spans is None:
-        raise Refusal(f"so near to a circle of that size it would take more than {_MOST} points around: give a larger tolerance")
+        raise Refusal("so near to a circle of that size it would take more than {most} points around: give a larger tolerance",
+                      most=_MOST)
     spans = max(1, math.ceil(spans * share))
     step = turn / spans
     factor, error = of_spans(2 * math.pi / abs(step))

@@ -113,7 +113,8 @@ def _changed(definition, after, error):
         kept, left = _meetings(definition), _meetings(found.definition)
         parted = next((pair for pair in kept if pair not in left), None)
         if parted:
-            raise Refusal(f"patches {parted[0] + 1} and {parted[1] + 1} would come apart: their edge is no circle for both of them")
+            raise Refusal("patches {first} and {second} would come apart: their edge is no circle for both of them",
+                          first=parted[0] + 1, second=parted[1] + 1)
     return found
 
 

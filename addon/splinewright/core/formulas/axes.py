@@ -35,10 +35,10 @@ def _multiples(limits, step, name):
     """The multiples of a step within limits."""
     first, last = limits
     if not first < last:
-        raise Refusal(f"{name} ends at {last:g}: it must be above its start, {first:g}")
+        raise Refusal("{name} ends at {last:g}: it must be above its start, {first:g}", name=name, last=last, first=first)
     low, high = math.ceil(first / step - 1e-9), math.floor(last / step + 1e-9)
     if high - low >= MOST:
-        raise Refusal(f"{name} has {high - low + 1} ticks: {MOST} are the most")
+        raise Refusal("{name} has {count} ticks: {most} are the most", name=name, count=high - low + 1, most=MOST)
     return np.arange(low, high + 1) * step + 0.0
 
 

@@ -180,7 +180,7 @@ def _polyhedron(points, axes, near):
 
 
 def _hidden(points):
-    return Refusal(f"the hull of {len(points)} points was given up: rounding hides which of them are its corners")
+    return Refusal("the hull of {count} points was given up: rounding hides which of them are its corners", count=len(points))
 
 
 def _first_plane(points, axes, near):

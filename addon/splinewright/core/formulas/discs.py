@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from . import functions, signs
 from .functions import Part
 
@@ -44,8 +45,8 @@ def _circle(place, radius, whole):
 
 
 def _warning(values, curve):
-    below = [f"P{i} has {value:.3g}" for i, value in enumerate(values) if value < 0.0]
+    below = [phrase("P{i} has {value:.3g}", i=i, value=value) for i, value in enumerate(values) if value < 0.0]
     away = np.count_nonzero(curve.homogeneous_points[:, 3] == 0.0)
-    said = [f"{', '.join(below[:3])}{', …' if len(below) > 3 else ''}: circles show the size alone"] if below else []
-    said += [f"{away} point{'s' if away > 1 else ''} at infinity {'have' if away > 1 else 'has'} no circle"] if away else []
+    said = [phrase("{points}: circles show the size alone", points=", ".join(below[:3] + ["…"] * (len(below) > 3)))] if below else []
+    said += [phrase("{count} points at infinity have no circle", one="{count} point at infinity has no circle", count=int(away))] if away else []
     return "; ".join(said)

@@ -61,7 +61,7 @@ def _periodic(curve):
     unrolled = curve.unrolled()
     knots, numbers = np.array(unrolled.knots), np.arange(len(unrolled.points)) % count
     if count > MOST:
-        raise Refusal(f"these are {count} functions: {MOST} are the most")
+        raise Refusal("these are {count} functions: {most} are the most", count=count, most=MOST)
     averages = sc.basis.KnotVector(degree, knots).greville
 
     def graph(coefficients):
@@ -83,9 +83,10 @@ def _interval(first, last):
 
 def _require_knots(degree, knots, count):
     if count < 1:
-        raise Refusal(f"{len(knots)} knots have no function of degree {degree}: at least {degree + 2} are needed")
+        raise Refusal("{count} knots have no function of degree {degree}: at least {least} are needed",
+                      count=len(knots), degree=degree, least=degree + 2)
     if count > MOST:
-        raise Refusal(f"these are {count} functions: {MOST} are the most")
+        raise Refusal("these are {count} functions: {most} are the most", count=count, most=MOST)
     if not np.isfinite(knots).all() or (np.diff(knots) < 0).any():
         raise Refusal("knots must not decrease")
     if knots[0] == knots[-1]:
@@ -118,7 +119,7 @@ def _splines(degree, knots):
 def bernstein(degree):
     """The Family of the Bernstein polynomials of a degree on [0, 1]."""
     if degree + 1 > MOST:
-        raise Refusal(f"these are {degree + 1} functions: {MOST} are the most")
+        raise Refusal("these are {count} functions: {most} are the most", count=degree + 1, most=MOST)
     at = np.linspace(0.0, 1.0, degree + 1)
 
     def graph(coefficients):
@@ -166,9 +167,9 @@ def natural(nodes):
 def _require_nodes(nodes, least):
     nodes = np.asarray(nodes, dtype=np.float64)
     if len(nodes) < least:
-        raise Refusal(f"{len(nodes)} nodes are too few: at least {least} are needed")
+        raise Refusal("{count} nodes are too few: at least {least} are needed", count=len(nodes), least=least)
     if len(nodes) > MOST:
-        raise Refusal(f"these are {len(nodes)} functions: {MOST} are the most")
+        raise Refusal("these are {count} functions: {most} are the most", count=len(nodes), most=MOST)
     if not np.isfinite(nodes).all() or not (np.diff(nodes) > 0).all():
         raise Refusal("nodes must increase")
     return nodes

@@ -20,7 +20,7 @@ def halving(curves, ratio, steps, distance):
     pieces = [_rows(curve) for curve in curves]
     last = sum(len(rows) * rows.shape[1] for rows in pieces) << steps
     if last > MOST:
-        raise Refusal(f"step {steps} has {last} points: {MOST} are the most")
+        raise Refusal("step {steps} has {count} points: {most} are the most", steps=steps, count=last, most=MOST)
     shown = []
     for step in range(steps + 1):
         for rows in pieces:

@@ -58,7 +58,8 @@ def lifted(curve, space):
     size = np.ptp(places[:, :2], axis=0).max()
     away = max(np.abs(places[:, 2]).max(), np.abs(rows[rows[:, 3] == 0.0, 2]).max(initial=0.0))
     if away > _FLAT * max(size, np.abs(places[:, :2]).max()):
-        raise Refusal(f"the curve leaves the plane z = 0 by {decimals.text_of(float(away), 3)}: that of a curve in space has four coordinates")
+        raise Refusal("the curve leaves the plane z = 0 by {away}: that of a curve in space has four coordinates",
+                      away=decimals.text_of(float(away), 3))
     return sc.NurbsCurve(curve.degree, curve.knots, space.at(rows), periodic=curve.periodic)
 
 
@@ -160,7 +161,7 @@ def image(curve, eye, plane):
     points, in parts of the distance of the plane. Raises Refusal."""
     x, y, z = eye
     if z == plane:
-        raise Refusal(f"the eye lies in the plane of the image, z = {plane:g}")
+        raise Refusal("the eye lies in the plane of the image, z = {plane:g}", plane=plane)
     z -= plane
     down, up = np.eye(4), np.eye(4)
     down[2, 3], up[2, 3] = -plane, plane

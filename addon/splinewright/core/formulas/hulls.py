@@ -18,9 +18,9 @@ def groups(shapes, by_spans):
     found = [_groups(shape.to_nurbs(), by_spans) for shape in shapes]
     count, most = sum(map(len, found)), max(len(rows) for each in found for rows in each)
     if count > MOST:
-        raise Refusal(f"these are {count} hulls: {MOST} are the most")
+        raise Refusal("these are {count} hulls: {most} are the most", count=count, most=MOST)
     if most > MOST_POINTS:
-        raise Refusal(f"a hull of {most} points: {MOST_POINTS} are the most")
+        raise Refusal("a hull of {count} points: {most_points} are the most", count=most, most_points=MOST_POINTS)
     return found
 
 

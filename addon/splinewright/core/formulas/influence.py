@@ -49,11 +49,11 @@ def _values(definition):
 
 def _row(definition, piece, place):
     if piece > len(definition.pieces):
-        raise Refusal(f"there is no piece {piece}: there are {len(definition.pieces)}")
+        raise Refusal("there is no piece {piece}: there are {count}", piece=piece, count=len(definition.pieces))
     indices = _points_of(definition.pieces[piece - 1])
     if any(at >= count for at, count in zip(place, indices.shape)):
         last = ", ".join(str(count - 1) for count in indices.shape)
-        raise Refusal(f"there is no control point {', '.join(map(str, place))}: the last one is {last}")
+        raise Refusal("there is no control point {place}: the last one is {last}", place=', '.join(map(str, place)), last=last)
     return int(indices[place])
 
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from . import signs
 
 #: Ends so near to each other, as a part of the size, meet.
@@ -48,7 +49,8 @@ def derivatives(curves):
             if not any(_are_same(known, (place, vector), nurbs) for known in found[-1:]):
                 found.append((place, vector))
     arrows = [part for i, (place, vector) in enumerate(found) for part in signs.arrow(f"R_{{{i}}}", place, vector)]
-    return arrows, f"{zero} derivative{'s' if zero > 1 else ''} at ends {'are' if zero > 1 else 'is'} zero" if zero else ""
+    said = phrase("{count} derivatives at ends are zero", one="{count} derivative at ends is zero", count=zero)
+    return arrows, said if zero else ""
 
 
 def _are_same(one, other, curve):

@@ -22,10 +22,10 @@ def typed(text, count):
     for part in filter(str.strip, text.replace(";", ",").split(",")):
         words = part.split() if " " in part.strip() else list(part.strip())
         if not all(word.isdecimal() for word in words) or sorted(map(int, words)) != list(range(count)):
-            raise Refusal(f"\"{part.strip()}\" is not an order of the points 0 to {count - 1}")
+            raise Refusal("\"{strip}\" is not an order of the points 0 to {count}", strip=part.strip(), count=count - 1)
         found.append(tuple(map(int, words)))
     if len(found) > MOST:
-        raise Refusal(f"these are {len(found)} orders: {MOST} are the most")
+        raise Refusal("these are {count} orders: {most} are the most", count=len(found), most=MOST)
     return found
 
 

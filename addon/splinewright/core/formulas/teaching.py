@@ -4,6 +4,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..verbs import verbs
 from . import signs
@@ -25,7 +26,8 @@ def curve_of(definition, piece):
 def piece_of(definition, piece):
     """A curve or patch of a definition; pieces are counted from 1. Raises Refusal where there is none."""
     if piece > len(definition.pieces):
-        raise Refusal(f"there is no piece {piece}: the {'curve' if definition.has_curves else 'surface'} has {len(definition.pieces)}")
+        raise Refusal("there is no piece {piece}: the curve has {most}" if definition.has_curves else
+                      "there is no piece {piece}: the surface has {most}", piece=piece, most=len(definition.pieces))
     value = definitions.to_value(definition)
     return value[piece - 1] if definition.form in ('curves', 'patch_set') else value
 
@@ -48,13 +50,13 @@ def construction(curve, position, scheme, marker, first=0, last=None):
     highest = len(levels) - 1
     last = highest if last is None else min(last, highest)
     if first > last:
-        raise Refusal(f"the levels are 0 to {highest}: there is none from {first} to {last}")
+        raise Refusal("the levels are 0 to {highest}: there is none from {first} to {last}", highest=highest, first=first, last=last)
     shown = [Part(f"level {number}", polyline) for number in range(first, last + 1) for polyline in signs.polygon(levels[number])]
     point = _point(curve, u)
     if marker > 0.0 and point is not None and (last == highest or not shown):
         shown.append(Part("point", sc.conics.circle(point, marker)))
     if not shown:
-        raise Refusal(f"level {last} is a point: a marker with a radius shows it")
+        raise Refusal("level {last} is a point: a marker with a radius shows it", last=last)
     return shown
 
 
@@ -99,7 +101,7 @@ def broken_text(broken):
         reason = "it is too large for a number"
     else:
         reason = reason.partition(" in row")[0]
-    return f"the rational algorithm breaks at level {level}, point {i + 1}: {reason}"
+    return phrase("the rational algorithm breaks at level {level}, point {i}: {reason}", level=level, i=i + 1, reason=reason)
 
 
 def bezier_at(curve, u):

@@ -48,7 +48,7 @@ def scheme(degree, knots, across, down):
     made = Scheme(degree, np.asarray(knots, dtype=np.float64), across, down)
     number = sum(made.count(level) for level in range(degree + 1))
     if number > MOST:
-        raise Refusal(f"these are {number} functions with those of lower degrees: {MOST} are the most")
+        raise Refusal("these are {count} functions with those of lower degrees: {most} are the most", count=number, most=MOST)
     return made
 
 
@@ -57,10 +57,11 @@ def picture(of, chosen, is_support, spans, marker):
     with coefficients; spans: numbers of spans. Raises Refusal for one that is not there."""
     for i, degree in chosen:
         if not of.has(i, degree):
-            raise Refusal(f"there is no function N_{i},{degree}: the highest are N_0,{of.degree} to N_{of.count(of.degree) - 1},{of.degree}")
+            raise Refusal("there is no function N_{i},{degree}: the highest are N_0,{of_degree} to N_{count},{of_degree}",
+                          i=i, degree=degree, of_degree=of.degree, count=of.count(of.degree) - 1)
     for span in spans:
         if not of.has(span, 0):
-            raise Refusal(f"there is no span {span}: they are 0 to {of.count(0) - 1}")
+            raise Refusal("there is no span {span}: they are 0 to {count}", span=span, count=of.count(0) - 1)
     names, texts = {}, []
     for i, degree in chosen:
         if is_support:

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from . import held as all_held
 from . import held_strips
 
@@ -52,15 +53,16 @@ def sentence(lost):
     if not lost:
         return ""
     (held, now), more = lost[0], len(lost) - 1
-    others = f", and {more} more less smooth" if more else ""
-    return (f"{_name(held)} holds {now} only, not {held.smoothness}{others}: no points that go up to {REACH:g} times as far as "
-            "those that were moved keep it")
+    others = phrase(", and {more} more less smooth", more=more) if more else ""
+    return (phrase("{held} holds {now} only, not {smoothness}{others}: no points that go up to {reach:g} times as far as those "
+                   "that were moved keep it",
+                   held=_name(held), now=now, smoothness=held.smoothness, others=others, reach=REACH))
 
 
 def _name(held):
     (piece, place), (other, other_place) = held.first, held.second
     if held.first == held.second:
-        return f"the knot {place:.4g} of curve {piece + 1}"
+        return phrase("the knot {place:.4g} of curve {piece}", place=place, piece=piece + 1)
     return f"{piece + 1} {place.replace('_', ' ')} · {other + 1} {other_place.replace('_', ' ')}"
 
 

@@ -48,9 +48,9 @@ def _first_of(knots, count, degree, place):
     else:
         first = int(np.searchsorted(knots, place)) - 1
         if not 0 < first < count - 1 or knots[first + 1] != place:
-            raise Refusal(f"the curve has no knot {place:.6g} inside any more")
+            raise Refusal("the curve has no knot {place:.6g} inside any more", place=place)
         if first + degree + 1 < len(knots) and knots[first + degree + 1] == place:
-            raise Refusal(f"the curve has a gap at the knot {place:.6g}")
+            raise Refusal("the curve has a gap at the knot {place:.6g}", place=place)
     if knots[first + 1] != knots[first + degree]:
         raise Refusal("the curve does not go through a control point at that joint")
     return first
@@ -69,7 +69,8 @@ def require_possible(definition, held):
         if definition.pool[side.rows[0], 3] == 0:
             raise Refusal("the joint lies at infinity")
         if held.moves in (name, 'both') and side.degree < order:
-            raise Refusal(f"a curve of degree {side.degree} cannot be made {held.smoothness}: raise its degree first")
+            raise Refusal("a curve of degree {degree} cannot be made {smoothness}: raise its degree first",
+                          degree=side.degree, smoothness=held.smoothness)
 
 
 def meet(definition, held):

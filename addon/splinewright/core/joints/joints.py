@@ -84,7 +84,7 @@ def _refuse(curves, rows, columns):
         raise Refusal("a piece is not joined to itself: Make Periodic closes it")
     for i in (*rows, *columns):
         if getattr(curves[i], 'periodic', False):
-            raise Refusal(f"piece {i + 1} is periodic: it has no end to join")
+            raise Refusal("piece {number} is periodic: it has no end to join", number=i + 1)
     raise Refusal("the ends of the pieces lie at infinity")
 
 
@@ -146,7 +146,7 @@ def chained(definition, tolerance):
         raise Refusal("it has one piece: there is nothing to join")
     rows = _rows(np.array([ends_of(curve) for curve in curves]), length)
     if len(rows) == len(curves):
-        raise Refusal(f"no two ends of its pieces lie within {decimals.text_of(length)} of each other")
+        raise Refusal("no two ends of its pieces lie within {length} of each other", length=decimals.text_of(length))
     after, error, origins = [], 0.0, []
     for row in rows:
         number = row[0][0]

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.failures import AboutInputs, Refusal, about_input
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..shape import sewing
 from ..verbs import patch_curves, verbs
@@ -124,15 +125,15 @@ def _sides(patches, start, end, choice, linear):
     """The sides that a Choice among the patches from start to end leaves. Raises Refusal if there is none."""
     count = end - start
     if choice.number > count:
-        patches_are = "is 1 patch" if count == 1 else f"are {count} patches"
-        raise Refusal(f"there {patches_are}, none of number {choice.number}")
+        raise Refusal("there are {count} patches, none of number {number}", "there is {count} patch, none of number {number}",
+                      count=count, number=choice.number)
     numbers = [start + choice.number - 1] if choice.number else range(start, end)
     found, reasons = [], []
     for i in numbers:
         for side in (choice.side,) if choice.side else SIDES:
             curve, reason = patch_curves.side_of(patches[i], side)
             if reason:
-                reasons.append(f"patch {i - start + 1}: {reason}")
+                reasons.append(phrase("patch {i}: {reason}", i=i - start + 1, reason=reason))
                 continue
             low, high = curve.domain
             at = np.minimum(low + _PLACES * (high - low), high)

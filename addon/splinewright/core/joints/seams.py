@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from .continuity import in_words as continuity_in_words
 from .continuity import Joint, Survey
@@ -96,7 +97,7 @@ def _measured(patch_set, first, second):
 
 
 def _name_of(crease, is_one):
-    return f"{'' if is_one else f'{crease.patch + 1} '}crease {crease.axis} {crease.knot:.4g}"
+    return ("" if is_one else f"{crease.patch + 1} ") + phrase("crease {axis} {knot:.4g}", axis=crease.axis, knot=crease.knot)
 
 
 def _name(seam, is_one):

@@ -1,5 +1,6 @@
 """Whether an answer is right, and texts with numbers that follow the shapes."""
 
+from ..base.words import say
 from .lesson import VALUE, Measure
 from .measures import measured
 
@@ -33,4 +34,4 @@ def _number(value, shapes):
 def watched(watch, shapes):
     """The text of a Watch with its numbers, in four digits."""
     numbers = [f"{measured(value, shapes) + 0.0:.4g}" for value in watch.values]
-    return VALUE.sub(lambda found: numbers[int(found[1])], watch.text)
+    return VALUE.sub(lambda found: numbers[int(found[1])], say(watch.text))

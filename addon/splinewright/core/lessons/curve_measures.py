@@ -16,7 +16,7 @@ _PLACES, _OFF = 401, 1e-3
 def _knot(curve, index):
     knots = curve.to_nurbs().knots
     if not 0 <= index < len(knots):
-        raise Refusal(f"there is no knot {index:g}")
+        raise Refusal("there is no knot {index:g}", index=index)
     return knots[int(index)]
 
 

@@ -92,9 +92,10 @@ def changes(known, present):
         if before is None:
             continue
         if (before.recipe, before.inputs) != (now.recipe, now.inputs):
-            raise Refusal(f"{name} is made otherwise than the lesson says{f': {now.why_value}' if now.why_value else ''}")
+            raise Refusal("{name} is made otherwise than the lesson says: {reason}" if now.why_value else
+                          "{name} is made otherwise than the lesson says", name=name, reason=now.why_value)
         if before.place != now.place:
-            raise Refusal(f"{name} was moved: a step can change what it is made from, not where it lies")
+            raise Refusal("{name} was moved: a step can change what it is made from, not where it lies", name=name)
         if before.recipe:
             settings = {key: value for key, value in now.settings.items() if key not in before.settings or before.settings[key] != value}
             found += [{'shape': name, 'set': settings}] if settings else []

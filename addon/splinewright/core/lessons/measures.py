@@ -29,20 +29,20 @@ def measured(measure, shapes):
 
 def _known(shapes, name):
     if name not in shapes:
-        raise Refusal(f"there is no shape {name!r} now")
+        raise Refusal("there is no shape {name!r} now", name=name)
     return shapes[name]
 
 
 def _setting(shown, name):
     if not isinstance(shown.settings.get(name), (int, float)):
-        raise Refusal(f"the shape has no number {name!r}")
+        raise Refusal("the shape has no number {name!r}", name=name)
     return shown.settings[name]
 
 
 def _curve(shown, piece):
     values = shown.value if isinstance(shown.value, list) else [shown.value]
     if not 1 <= piece <= len(values):
-        raise Refusal(f"there is no piece {piece}")
+        raise Refusal("there is no piece {piece}", piece=piece)
     if not hasattr(values[piece - 1], 'domain') or isinstance(values[piece - 1].domain[0], tuple):
         raise Refusal("it is not a curve")
     return values[piece - 1]
@@ -69,7 +69,7 @@ def _point(axis):
 
 def _index(curve, index):
     if not 0 <= index < len(curve.points):
-        raise Refusal(f"there is no control point {index:g}")
+        raise Refusal("there is no control point {index:g}", index=index)
     return int(index)
 
 
@@ -105,7 +105,7 @@ def _jump(curve, at, order):
     """How far the derivatives of an order on both sides of a parameter differ."""
     nurbs, order = curve.to_nurbs(), int(order)
     if not 0 <= order <= nurbs.degree:
-        raise Refusal(f"derivatives have the orders 0 to {nurbs.degree}")
+        raise Refusal("derivatives have the orders 0 to {degree}", degree=nurbs.degree)
     before, after = (nurbs.derivatives(at, order, side=side)[order] for side in ('left', 'right'))
     return np.linalg.norm(after - before)
 

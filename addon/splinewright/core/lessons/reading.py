@@ -25,13 +25,13 @@ _RELATIONS = ('near', 'above', 'below')
 def read(text):
     """The Lesson of a text. Raises Refusal that says where it is wrong."""
     if len(text) > MOST_BYTES:
-        raise Refusal(f"the file has more than {MOST_BYTES:,} characters")
+        raise Refusal("the file has more than {count:,} characters", count=MOST_BYTES)
     try:
         found = json.loads(text, object_pairs_hook=_object)
     except Refusal:
         raise
     except (ValueError, RecursionError) as error:
-        raise Refusal(f"it is not JSON: {error}") from None
+        raise Refusal("it is not JSON: {error}", error=error) from None
     return _lesson(Place("lesson", found))
 
 
@@ -40,7 +40,7 @@ def _object(pairs):
     found = {}
     for name, value in pairs:
         if name in found:
-            raise Refusal(f"{name[:60]!r} is there twice in one object")
+            raise Refusal("{name!r} is there twice in one object", name=name[:60])
         found[name] = value
     return found
 
@@ -48,10 +48,10 @@ def _object(pairs):
 def _lesson(place):
     found = place.fields(('format', 'name', 'title', 'steps'), ('lectures',))
     if found['format'].found != FORMAT:
-        found['format'].fail(f"it is {found['format'].found!r}: this version reads {FORMAT}")
+        found['format'].fail("it is {found!r}: this version reads {format}", found=found['format'].found, format=FORMAT)
     steps = found['steps'].found
     if not isinstance(steps, list) or not 1 <= len(steps) <= MOST_STEPS:
-        found['steps'].fail(f"a list of 1 to {MOST_STEPS} steps is expected")
+        found['steps'].fail("a list of 1 to {count} steps is expected", count=MOST_STEPS)
     known, read_steps = {}, []
     for i, step in enumerate(steps):
         read_steps.append(_step(Place(f"step {i + 1}", step), known))
@@ -98,7 +98,7 @@ def _make(place, known):
     found = place.fields(('shape',), ('value', 'recipe', 'of', 'set', 'points', 'faces', 'place'))
     name = found['shape'].text()
     if name in known:
-        found['shape'].fail(f"{name!r} is there already")
+        found['shape'].fail("{name!r} is there already", name=name)
     if ('value' in found) == ('recipe' in found):
         place.fail("either a value or a recipe is expected")
     if 'value' in found:
@@ -114,10 +114,11 @@ def _make(place, known):
 def _made_by_recipe(found, name, known):
     recipe = found['recipe'].text()
     if recipe not in RECIPES:
-        found['recipe'].fail(f"there is no recipe {recipe!r}")
+        found['recipe'].fail("there is no recipe {recipe!r}", recipe=recipe)
     inputs = tuple(_shape(one, known) for one in _list(found, 'of'))
     if not RECIPES[recipe].takes(len(inputs)):
-        found['recipe'].fail(f"it is made from {RECIPES[recipe].wanted or 'no shapes'}, not from {len(inputs)}")
+        found['recipe'].fail("it is made from {wanted}, not from {count}",
+                             wanted=RECIPES[recipe].wanted or 'no shapes', count=len(inputs))
     points = _points(found['points'], recipe) if 'points' in found else ()
     at = _point(found['place']) if 'place' in found else (0.0, 0.0, 0.0)
     return Make(name, None, recipe, inputs, _settings(found.get('set'), recipe), points, _faces(found), at)
@@ -144,7 +145,7 @@ def _faces(found):
         return ()
     faces = tuple(one.whole(1) for one in found['faces'].entries())
     if len(faces) != 2 or max(faces) > MOST_FACES:
-        found['faces'].fail(f"two numbers up to {MOST_FACES} are expected")
+        found['faces'].fail("two numbers up to {most_faces} are expected", most_faces=MOST_FACES)
     return faces
 
 
@@ -163,7 +164,7 @@ def _change(place, known):
         return Change(name, faces=_faces(found))
     if 'value' in found:
         if known[name]:
-            place.fail(f"{name!r} is made by a recipe: it has settings, and no value of a file")
+            place.fail("{name!r} is made by a recipe: it has settings, and no value of a file", name=name)
         return Change(name, _value(found['value']))
     return Change(name, None, _settings(found['set'], known[name]))
 
@@ -191,13 +192,13 @@ def _value(place):
         definitions.from_value(found)
         return found
     except (sc.Error, ValueError, TypeError, RecursionError) as error:
-        place.fail(f"it is not a curve or patch: {error}")
+        place.fail("it is not a curve or patch: {error}", error=error)
 
 
 def _shape(place, known):
     name = place.text()
     if name not in known:
-        place.fail(f"there is no shape {name!r} yet")
+        place.fail("there is no shape {name!r} yet", name=name)
     return name
 
 
@@ -214,7 +215,7 @@ def _move(place, known):
 def _setting(place, recipe):
     name = place.text()
     if not recipe or name not in RECIPES[recipe].defaults:
-        place.fail(f"the shape has no setting {name!r}")
+        place.fail("the shape has no setting {name!r}", name=name)
     return name
 
 
@@ -229,9 +230,9 @@ def _watch(place, known):
 
 def _measure(place, known, depth=0):
     if not isinstance(place.found, dict) or place.found.get('measure') not in list(KINDS):
-        place.fail(f"a measure is expected: {', '.join(KINDS)}")
+        place.fail("a measure is expected: {kinds}", kinds=', '.join(KINDS))
     if depth >= _MOST_DEPTH:
-        place.fail(f"measures of measures go {_MOST_DEPTH} deep at most")
+        place.fail("measures of measures go {most_depth} deep at most", most_depth=_MOST_DEPTH)
     kind = place.found['measure']
     found = place.fields(('measure', 'of', *KINDS[kind].takes), ('piece',) if KINDS[kind].of == 'curve' else ())
     name = _shape(found['of'], known)
@@ -260,7 +261,7 @@ def _ask(place, known):
     readers = {'do': _ask_do, 'number': _ask_number, 'choose': _ask_choice, 'point': _ask_point}
     kind = next((kind for kind in readers if isinstance(place.found, dict) and kind in place.found), None)
     if kind is None:
-        place.fail(f"one of {', '.join(readers)} is expected")
+        place.fail("one of {names} is expected", names=', '.join(readers))
     return readers[kind](place, known)
 
 
@@ -274,7 +275,7 @@ def _ask_do(place, known):
 def _condition(place, known):
     relation = next((one for one in _RELATIONS if isinstance(place.found, dict) and one in place.found), None)
     if relation is None:
-        place.fail(f"one of {', '.join(_RELATIONS)} is expected")
+        place.fail("one of {names} is expected", names=', '.join(_RELATIONS))
     found = place.fields(('that', relation), ('within',) if relation == 'near' else ())
     within = found['within'].number() if 'within' in found else 0.0
     if relation == 'near' and not within > 0.0:
@@ -294,7 +295,7 @@ def _ask_point(place, known):
     found = place.fields(('point', 'of'))
     name = _shape(found['of'], known)
     if known[name] and not RECIPES[known[name]].points:
-        found['of'].fail(f"{name!r} is made by a recipe without points: none can be picked")
+        found['of'].fail("{name!r} is made by a recipe without points: none can be picked", name=name)
     points = frozenset(one.whole() for one in found['point'].entries())
     if not points:
         found['point'].fail("the number of a point is expected, from 0")

@@ -5,6 +5,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import parameters
 
 #: Points between two steps of a progress bar.
@@ -50,8 +51,9 @@ def curve_on(pieces, curve, tolerance, cancel=None):
         steps *= 2
     if best:
         return best
-    nearest = f": the error would be {decimals.text_of(error)}" if np.isfinite(error) else ""
-    raise Refusal(f"the nearest points jump, or turn too fast for a curve within {decimals.text_of(tolerance)}{nearest}")
+    nearest = phrase(": the error would be {error}", error=decimals.text_of(error)) if np.isfinite(error) else ""
+    raise Refusal("the nearest points jump, or turn too fast for a curve within {tolerance}{nearest}",
+                  tolerance=decimals.text_of(tolerance), nearest=nearest)
 
 
 def _fitted(at, points, curve, tolerance, cancel):

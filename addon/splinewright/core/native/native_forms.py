@@ -71,7 +71,8 @@ def patch_forms(patch):
 
 def _require_degree(degree):
     if degree > MOST_DEGREE:
-        raise Refusal(f"its degree is {degree}: Blender's own curves and surfaces end at {MOST_DEGREE}")
+        raise Refusal("its degree is {degree}: Blender's own curves and surfaces end at {most_degree}",
+                      degree=degree, most_degree=MOST_DEGREE)
 
 
 def _is_plain_cubic(curve):

@@ -6,6 +6,7 @@ What cannot be held is named in words that follow "without": pairs of a value, o
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from . import native
 from .native_refine import Axis, bezier_rows, homogeneous
 
@@ -14,9 +15,9 @@ def curve_value(spline, name):
     """The curve of a spline, or None, and what of it is left out, as fragments that name it by `name`."""
     direction, = spline.directions
     if not np.isfinite(spline.points).all():
-        return None, [f"{name}, which has a point that is not finite"]
+        return None, [phrase("{name}, which has a point that is not finite", name=name)]
     if direction.count < 2:
-        return None, [f"{name}, which is a single point"]
+        return None, [phrase("{name}, which is a single point", name=name)]
     if spline.kind == 'BEZIER':
         return _chain(spline.points, direction.flags.cyclic), []
     if spline.kind != 'NURBS' or not native.is_valid_curve(direction):
@@ -24,18 +25,18 @@ def curve_value(spline, name):
     axis, net, words = _axis_and_net(spline.points, direction, 0, name)
     net, lost = _without_weightless_places(net, name)
     if _has_gap([axis], net):
-        return None, [f"{name}, whose weights of 0 leave a part without points"]
+        return None, [phrase("{name}, whose weights of 0 leave a part without points", name=name)]
     return sc.NurbsCurve(axis.degree, axis.knots, net[:, :3], net[:, 3], periodic=axis.periodic), words + lost
 
 
 def surface_value(spline, name):
     """curve_value() of a spline of a surface. Its faces look where Blender's do, so u is Blender's v."""
     if not np.isfinite(spline.points).all():
-        return None, [f"{name}, which has a point that is not finite"]
+        return None, [phrase("{name}, which has a point that is not finite", name=name)]
     if spline.kind != 'NURBS' or min(spline.points.shape[:2]) < 2:
-        return None, [f"{name}, which is a row of points and no surface"]
+        return None, [phrase("{name}, which is a row of points and no surface", name=name)]
     if not all(map(native.is_valid_surface, spline.directions)):
-        return None, [f"{name}, of which Blender draws nothing: its points do not fit its orders"]
+        return None, [phrase("{name}, of which Blender draws nothing: its points do not fit its orders", name=name)]
     axes, net, words = [], spline.points, []
     for i, direction in enumerate(spline.directions):
         axis, net, dropped = _axis_and_net(net, direction, i, name)
@@ -43,7 +44,7 @@ def surface_value(spline, name):
         words += dropped
     net, lost = _without_weightless_places(net, name)
     if _has_gap(axes, net):
-        return None, [f"{name}, whose weights of 0 leave a part without points"]
+        return None, [phrase("{name}, whose weights of 0 leave a part without points", name=name)]
     patch = sc.NurbsPatch([axis.degree for axis in axes], [axis.knots for axis in axes], net[..., :3], net[..., 3],
                           periodic=[axis.periodic for axis in axes])
     return patch.swapped(), words + lost
@@ -73,8 +74,9 @@ def _axis_and_net(net, direction, i, name):
     axis = Axis(direction.degree, native.plain_knots(direction))
     if used == direction.count:
         return axis, net, []
-    what = "points" if net.ndim == 2 else f"rows along {'uv'[i]}"
-    words = f"{direction.count - used} {what} at the end of {name}, which Blender ignores"
+    words = phrase("{count} points at the end of {name}, which Blender ignores" if net.ndim == 2 else
+                   "{count} rows along {axis} at the end of {name}, which Blender ignores",
+                   count=direction.count - used, axis='uv'[i], name=name)
     return axis, np.take(net, range(used), axis=i), [words]
 
 
@@ -85,7 +87,7 @@ def _without_weightless_places(net, name):
         return net, []
     net = net.copy()
     net[weightless] = 0
-    return net, [f"the places of points of weight 0 in {name}, which draw nothing"]
+    return net, [phrase("the places of points of weight 0 in {name}, which draw nothing", name=name)]
 
 
 def _has_gap(axes, net):

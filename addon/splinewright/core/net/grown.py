@@ -13,6 +13,7 @@ import numpy as np
 
 from ..base import decimals
 from ..base.failures import Refusal
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..verbs import verbs
 from . import curve_net, point_edits
@@ -88,7 +89,8 @@ def grow(net, definition, runs):
 def _note(gone, error):
     if not gone or not error:
         return ""
-    return f"without {'that point' if gone == 1 else f'those {gone} points'} the shape lies within {decimals.text_of(error)} of what it was"
+    return phrase("without those {count} points the shape lies within {error} of what it was",
+                  one="without that point the shape lies within {error} of what it was", count=gone, error=decimals.text_of(error))
 
 
 def settled(runs):

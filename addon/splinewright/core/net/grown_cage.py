@@ -9,6 +9,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..shape.definition import Definition, Piece
 from . import cage_rows, patch_net, row_edits
@@ -64,7 +65,8 @@ def _note(plans, error):
     if not error:
         return ""
     count = sum(len(axis.gone) for plan in plans for axis in plan.axes)
-    return f"without {'that row' if count == 1 else 'those rows'} the shape lies within {decimals.text_of(error)} of what it was"
+    return phrase("without those rows the shape lies within {error} of what it was",
+                  one="without that row the shape lies within {error} of what it was", count=count, error=decimals.text_of(error))
 
 
 # The patches ---------------------------------------------------------------------------------------

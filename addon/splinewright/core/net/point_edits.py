@@ -140,7 +140,8 @@ def joined(first, second):
     elif _is_chain(one) or _is_chain(other):
         raise Refusal("a curve with handles and one without are not connected here: use Join Pieces for that")
     elif one.degree != other.degree:
-        raise Refusal(f"curves of degree {one.degree} and {other.degree} are not connected here: raise the lower degree first")
+        raise Refusal("curves of degree {degree} and {other_degree} are not connected here: raise the lower degree first",
+                      degree=one.degree, other_degree=other.degree)
     else:
         _require_finite(one)
         _require_finite(other)

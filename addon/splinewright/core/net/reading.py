@@ -10,6 +10,7 @@ from typing import Callable, NamedTuple
 import numpy as np
 
 from ..base.failures import Refusal
+from ..base.words import phrase
 from . import exact_net, strays
 from .exact_net import Exact
 
@@ -104,10 +105,11 @@ def _as_last(state, net, last, lost, lost_weight):
 
 def _problem(count, gone, are_others_there, is_wild, is_zero, has_no_weights):
     if gone and are_others_there:
-        return (f"{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them "
-                "where they were")
+        return (phrase("{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them "
+                       "where they were",
+                       gone=gone, count=count))
     if gone:
-        return f"the net has lost points ({gone} of {count}): the shape has them where they were"
+        return phrase("the net has lost points ({gone} of {count}): the shape has them where they were", gone=gone, count=count)
     if has_no_weights:
         return "the net has lost the weights of its points: the shape keeps them as they were"
     if is_wild:
@@ -121,9 +123,9 @@ def note(extra, is_void=False):
     """The message about a number of strays, and of handles that lead to them."""
     if not extra:
         return ""
-    beside = ", nor does it take handles that lead to new ones" if is_void else ""
-    return f"{_points(extra)} not of this net: the shape does not take {'it' if extra == 1 else 'them'}{beside}"
-
-
-def _points(count):
-    return "1 point is" if count == 1 else f"{count} points are"
+    if is_void:
+        return phrase("{count} points are not of this net: the shape does not take them, nor does it take handles that lead to new ones",
+                      one="{count} point is not of this net: the shape does not take it, nor does it take handles that lead to new ones",
+                      count=extra)
+    return phrase("{count} points are not of this net: the shape does not take them",
+                  one="{count} point is not of this net: the shape does not take it", count=extra)

@@ -5,6 +5,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..surfaces import hollow
 from .recipe import Parameter, of_patches
 
@@ -31,7 +32,7 @@ def result(patches, caps, error=0.0, said="", cancel=None, warning=""):
             parts, bend = _closed(patches, chosen, [number, *inside], cancel)
         made += parts
         bends.append(bend)
-    told = [said, *(f"the {name} is closed already" for name in ('start', 'end') if name in left_open),
+    told = [said, *(phrase("the {name} is closed already", name=name) for name in ('start', 'end') if name in left_open),
             *bend_in_words(max(bends, default=0.0))]
     return of_patches(made, error, ", ".join(filter(None, told)), warning)
 
@@ -75,7 +76,7 @@ def _holes(patches, chosen):
 def bend_in_words(bend):
     """That rims are in no plane."""
     if bend > 0.0:
-        yield f"a rim is up to {decimals.text_of(bend, 2)} off a plane: its cap is not flat"
+        yield phrase("a rim is up to {bend} off a plane: its cap is not flat", bend=decimals.text_of(bend, 2))
 
 
 def _ends(patch, is_one_of_several):
@@ -86,7 +87,7 @@ def _ends(patch, is_one_of_several):
     axis = next((axis for axis, other in (('v', 'u'), ('u', 'v')) if _is_closed_along(patch, other)), "")
     if not axis:
         what = "one of its curves" if is_one_of_several else "what it is made from"
-        raise Refusal(f"{what} is open, so that its ends have no closed rims to cap")
+        raise Refusal("{what} is open, so that its ends have no closed rims to cap", what=what)
     sides = {name: f"{axis}_{name}" for name in ('start', 'end')}
     if any(len(end) > 1 for end in open_ends):
         raise Refusal("what it is made from ends only near where it starts: its rims have a gap, and cannot be capped")

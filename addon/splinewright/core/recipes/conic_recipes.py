@@ -78,7 +78,7 @@ _NOTHING = {'empty': "no real point", 'point': "one point only"}
 def _whole(conic):
     curves = sc.conics.from_implicit(conic)
     if not curves:
-        raise Refusal(f"no curve: the equation has {_NOTHING.get(conic.type, conic.type)}")
+        raise Refusal("no curve: the equation has {what}", what=_NOTHING.get(conic.type, conic.type))
     return Result(curves if len(curves) > 1 else curves[0])
 
 

@@ -71,7 +71,7 @@ def _vector(text, where):
     """(3,) of a text; None of an empty one."""
     numbers = numbers_of(text)
     if numbers and len(numbers) != 3:
-        raise Refusal(f"the derivative at the {where} has {len(numbers)} numbers: it takes 3")
+        raise Refusal("the derivative at the {where} has {count} numbers: it takes 3", where=where, count=len(numbers))
     return np.array(numbers) if numbers else None
 
 
@@ -82,7 +82,7 @@ def numbers_of(text):
         try:
             found.append(float(word))
         except ValueError:
-            raise Refusal(f"\"{word}\" is not a number: write numbers between spaces") from None
+            raise Refusal("\"{word}\" is not a number: write numbers between spaces", word=word) from None
     return found
 
 
@@ -103,8 +103,8 @@ def _polynomial(points, parametrisation, spline):
     curve = sc.build.polynomial_through(points, parameters)
     missed = float(np.linalg.norm(curve.evaluate(parameters) - points, axis=1).max())
     if not missed <= _MOST_MISSED * np.ptp(points, axis=0).max():
-        raise Refusal(f"{len(points)} points are too many for one polynomial: in double precision it would miss them "
-                         f"by {decimals.text_of(missed, 2)}")
+        raise Refusal("{count} points are too many for one polynomial: in double precision it would miss them by {missed}",
+                      count=len(points), missed=decimals.text_of(missed, 2))
     beside = [sc.build.catmull_rom(points, parameters)] if spline else []
     return Result([curve, *beside] if beside else curve, _if_seen(missed, points))
 
@@ -112,7 +112,8 @@ def _polynomial(points, parametrisation, spline):
 def _osculating(points, derivatives):
     size = 1 + derivatives
     if len(points) % size or len(points) < 2 * size:
-        raise Refusal(f"{len(points)} points are not two or more groups of {size}: a point and the heads of its derivatives")
+        raise Refusal("{count} points are not two or more groups of {size}: a point and the heads of its derivatives",
+                      count=len(points), size=size)
     groups = points.reshape(-1, size, 3).copy()
     groups[:, 1:] -= groups[:, :1]
     return Result(sc.build.osculating_polynomial(list(groups), np.linspace(0.0, 1.0, len(groups))))
@@ -131,7 +132,8 @@ def _spacing(points, parametrisation):
     power = {'uniform': 0.0, 'centripetal': 0.5, 'chordal': 1.0}[parametrisation]
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1) ** power
     if not steps.all():
-        raise Refusal(f"points {np.argmin(steps) + 1} and {np.argmin(steps) + 2} are one: choose uniform parameters")
+        raise Refusal("points {first} and {second} are one: choose uniform parameters",
+                      first=np.argmin(steps) + 1, second=np.argmin(steps) + 2)
     knots = np.concatenate([[0.0], np.cumsum(steps)])
     return knots / knots[-1]
 
@@ -171,7 +173,7 @@ def formula_of(name, text, variables, constants):
     try:
         return sc.Formula(text, variables, constants)
     except sc.FormulaError as error:
-        raise Refusal(f"{name}({', '.join(variables)}): {error}") from error
+        raise Refusal("{name}({variables}): {error}", name=name, variables=', '.join(variables), error=error) from error
 
 
 def _at_commas(text):
@@ -195,10 +197,10 @@ def constants_of(text):
     for part in filter(str.strip, _at_commas(text)):
         name, equals, value = part.partition("=")
         if not equals:
-            raise Refusal(f"'{part.strip()}' is no constant: write a name, = and a number")
+            raise Refusal("'{strip}' is no constant: write a name, = and a number", strip=part.strip())
         number = float(sc.Formula(value, ("_",), found).evaluate(0.0, at_undefined="nan"))
         if not np.isfinite(number):
-            raise Refusal(f"the constant {name.strip()} has no finite value")
+            raise Refusal("the constant {name} has no finite value", name=name.strip())
         found[name.strip()] = number
     return found
 

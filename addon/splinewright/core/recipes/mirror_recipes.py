@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base import decimals
 from ..base.failures import Refusal
+from ..base.words import phrase
 from ..deform import mirroring
 from . import wanted
 from .recipe import Parameter, Recipe, Result, of_patches
@@ -22,17 +23,23 @@ def _mirror(inputs, axis, gap, smooth, frame=None):
     point, direction = axis_of(axis, (0.0, 0.0, 0.0), frame)
     plane = mirroring.Plane(point, direction / np.linalg.norm(direction))
     found = mirroring.mirrored(definition, plane, gap, smooth)
-    across = f"across the {_PLANES[axis]} plane of {'its origin' if frame is None else 'the plane object'}"
+    across = phrase("across the {plane} plane of its origin" if frame is None else "across the {plane} plane of the plane object",
+                    plane=_PLANES[axis])
     if not definition.has_curves:
-        return of_patches(found.pieces, said=_said(found, "border", gap, across))
-    return Result(found.pieces if len(found.pieces) > 1 else found.pieces[0], 0.0, _said(found, "end", gap, across))
+        return of_patches(found.pieces, said=_said(found, True, gap, across))
+    return Result(found.pieces if len(found.pieces) > 1 else found.pieces[0], 0.0, _said(found, False, gap, across))
 
 
-def _said(found, noun, gap, across):
+def _said(found, is_surface, gap, across):
     if not found.count:
-        yet = f"no {noun} lies on the plane within {decimals.text_of(gap, 3)}: the halves are apart"
+        yet = phrase("no border lies on the plane within {gap}: the halves are apart" if is_surface else
+                     "no end lies on the plane within {gap}: the halves are apart", gap=decimals.text_of(gap, 3))
+    elif is_surface:
+        yet = phrase("{count} borders on the plane, points moved by {moved}", one="{count} border on the plane, points moved by {moved}",
+                     count=found.count, moved=decimals.text_of(found.moved, 2))
     else:
-        yet = f"{found.count} {noun}{'s' if found.count > 1 else ''} on the plane, points moved by {decimals.text_of(found.moved, 2)}"
+        yet = phrase("{count} ends on the plane, points moved by {moved}", one="{count} end on the plane, points moved by {moved}",
+                     count=found.count, moved=decimals.text_of(found.moved, 2))
     return f"{yet}; {across}" + ("; it crosses the plane" if found.across else "")
 
 

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..formulas import chain_points, discs, ducks, halving, hulls, influence, marks, orders, teaching
 from ..shape import definition as definitions
 from ..verbs import verbs
@@ -73,11 +74,11 @@ def _discs(inputs, piece, position, radius):
 def _orders(inputs, piece, wanted_orders, columns, polygons):
     curve = teaching.curve_of(inputs[0], piece).to_nurbs()
     found = orders.typed(wanted_orders, len(curve.points)) or orders.all_of(curve)
-    return of_parts(orders.picture(curve, found, columns, polygons), f"{len(found)} order{'s' if len(found) > 1 else ''}{_some(wanted_orders, curve)}")
-
-
-def _some(text, curve):
-    return ": of two neighbors swapped, for there are too many" if not text.strip() and len(curve.points) > 5 else ""
+    if not wanted_orders.strip() and len(curve.points) > 5:
+        said = phrase("{count} orders: of two neighbors swapped, for there are too many", count=len(found))
+    else:
+        said = phrase("{count} orders", one="{count} order", count=len(found))
+    return of_parts(orders.picture(curve, found, columns, polygons), said)
 
 
 def _influence(inputs, piece, index, index_v, marker, above):
@@ -85,7 +86,8 @@ def _influence(inputs, piece, index, index_v, marker, above):
         moved, measure = influence.of_curves(inputs[0], piece, index, marker), "length"
     else:
         moved, measure = influence.of_patches(inputs[0], piece, (index, index_v), above), "area"
-    said = "" if moved.share is None else f"it moves {100.0 * moved.share:.3g} % of the {measure}"
+    said = "" if moved.share is None else phrase("it moves {share:.3g} % of the {measure}",
+                                                 share=100.0 * moved.share, measure=measure)
     if inputs[0].has_curves:
         return of_parts(moved.parts, said)
     patches = sc.PatchSet.from_patches([part.curve for part in moved.parts], merge=False)
@@ -94,7 +96,7 @@ def _influence(inputs, piece, index, index_v, marker, above):
 
 def _ducks(points, spacing, marker, ends):
     parts, energy = ducks.picture(points, spacing, marker, ends)
-    return of_parts(parts, f"bending energy {ducks.energy_text(energy)}")
+    return of_parts(parts, phrase("bending energy {energy_text}", energy_text=ducks.energy_text(energy)))
 
 
 RECIPES = (

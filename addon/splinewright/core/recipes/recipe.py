@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.failures import Refusal, WrongKind
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 
 
@@ -35,21 +36,23 @@ class Parameter:
         if wanted is str:
             return self._checked_text(value)
         if not isinstance(value, (Real, np.bool_)):
-            raise WrongKind(f"{self.label} is {value!r}: it must be a number")
+            raise WrongKind("{label} is {value!r}: it must be a number", label=phrase(self.label), value=value)
         if not abs(value) < 1e300:
-            raise Refusal(f"{self.label} is not a finite number")
+            raise Refusal("{label} is not a finite number", label=phrase(self.label))
         if wanted is not float and value != int(value):
-            raise Refusal(f"{self.label} is {value:g}: it must be a whole number")
+            raise Refusal("{label} is {value:g}: it must be a whole number", label=phrase(self.label), value=value)
         if wanted is not bool and not self._is_within(value):
-            raise Refusal(f"{self.label} is {value:g}: it must be from {self.least:g} to {self.most:g}")
+            raise Refusal("{label} is {value:g}: it must be from {least:g} to {most:g}",
+                          label=phrase(self.label), value=value, least=self.least, most=self.most)
         return wanted(value)
 
     def _checked_text(self, value):
         if type(value) is not str:
-            raise WrongKind(f"{self.label} is {value!r}: it must be a text")
+            raise WrongKind("{label} is {value!r}: it must be a text", label=phrase(self.label), value=value)
         names = [choice[0] for choice in self.choices]
         if names and value not in names:
-            raise Refusal(f"{self.label} is {value!r}: it must be one of {', '.join(names)}")
+            raise Refusal("{label} is {value!r}: it must be one of {names}",
+                          label=phrase(self.label), value=value, names=', '.join(names))
         return value
 
     def _is_within(self, value):
@@ -133,8 +136,8 @@ class Recipe:
         known = {parameter.name: parameter for parameter in self.parameters}
         for name in given:
             if name not in known:
-                has = f"it has {', '.join(known)}" if known else "it has none"
-                raise WrongKind(f"{self.label} has no setting {name!r}: {has}")
+                has = phrase("it has {known}", known=', '.join(known)) if known else "it has none"
+                raise WrongKind("{label} has no setting {name!r}: {has}", label=phrase(self.label), name=name, has=has)
         return {name: known[name].checked(value) for name, value in given.items()}
 
     def completed(self, given, tolerance=None, suggested=()):

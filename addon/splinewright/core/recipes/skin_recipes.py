@@ -5,6 +5,7 @@ import math
 from ..base import decimals
 from ..base.failures import AboutInputs, Refusal, about_input, about_items
 from ..base.library import sc
+from ..base.words import phrase
 from ..surfaces import holes, lofts, neighbors, overlaps, rails, rims, sections
 from ..verbs import verbs
 from . import capping, wanted
@@ -141,7 +142,7 @@ def _network(inputs, tolerance, gap, cancel=None):
     if not beside:
         return _within(found)
     angle = neighbors.angle_to(found.value, beside, gap or tolerance)
-    return Result(found.value, found.error, f"angle {_degrees(angle)}° to surfaces beside it")
+    return Result(found.value, found.error, phrase("angle {angle}° to surfaces beside it", angle=_degrees(angle)))
 
 
 def _filling(inputs, continuity, other, tolerance, cancel=None):
@@ -168,7 +169,7 @@ def _filling(inputs, continuity, other, tolerance, cancel=None):
         _require_apart(curves, cancel)
         if isinstance(error, AboutInputs):
             raise
-        raise Refusal(f"{error}: nothing within it would be plane without a fold") from error
+        raise Refusal("{error}: nothing within it would be plane without a fold", error=error) from error
     return of_patches(patches, 0.0, "plane")
 
 
@@ -192,7 +193,8 @@ def _of_sides(sides, tolerance, cancel):
     with about_items(sides=[side.owner for side in sides]):
         found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
-    said = ", ".join([f"{len(sides)} sides", *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
+    said = ", ".join([phrase("{count} sides",
+                             count=len(sides)), *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
     return of_patches(patches, found.gap, said)
 
 
@@ -203,12 +205,12 @@ def _degrees(angle):
 def _gone_on(filling, continuities):
     """How it continues sides of surfaces with these continuities, and its patches from each other, in words."""
     if {'G1', 'G2'} & continuities:
-        yield f"angle {_degrees(filling.angle)}° to them"
+        yield phrase("angle {angle}° to them", angle=_degrees(filling.angle))
     if len(filling.patches) > 1:
-        yield f"{_degrees(filling.inner_angle)}° inside"
+        yield phrase("{inner_angle}° inside", inner_angle=_degrees(filling.inner_angle))
     if 'G2' in continuities:
         bend = filling.curvature_difference
-        yield f"curvatures differ by {decimals.text_of(bend, 2) if bend > 1e-9 else '0'}"
+        yield phrase("curvatures differ by {bend}", bend=decimals.text_of(bend, 2) if bend > 1e-9 else "0")
 
 
 def _along_the_rail(inputs):

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..base.failures import AboutInputs, Refusal, about_input
 from ..base.library import sc
+from ..base.words import phrase
 from ..deform import deforming
 from ..deform.deformable import revolved
 from ..shape import definition as definitions
@@ -25,7 +26,8 @@ _DEFORMABLE = Parameter("deformable", "Deformable", "No exact one: cubic, withou
 _CAPS = Parameter("caps", "Caps", "Close it by discs", True)
 _AXES = {'x': np.array([1.0, 0.0, 0.0]), 'y': np.array([0.0, 1.0, 0.0]), 'z': np.array([0.0, 0.0, 1.0])}
 AXIS = Parameter("axis", "Axis", "Axis of the axis object, or of this object through the origin and the offset", "z", choices=tuple(
-    (name, name.upper(), f"The {name} axis of the axis object, or of this object if there is none") for name in _AXES))
+    (name, name.upper(), phrase("The {name} axis of the axis object, or of this object if there is none",
+                                name=name)) for name in _AXES))
 _TOLERANCE = Parameter("tolerance", "Tolerance", "How far the surface may lie from the formulas", 1e-4, 1e-9,
                        unit='LENGTH', of_scene=True)
 #: A profile whose points lie nearer to a plane than this part of its width lies in it.

@@ -5,6 +5,7 @@ import math
 from ..base import decimals
 from ..base.failures import Refusal, about_input
 from ..base.library import sc
+from ..base.words import phrase
 from ..joints import patch_joints
 from ..rounding import edges as rounding
 from ..rounding import crossing
@@ -73,10 +74,11 @@ def _matched(inputs, continuity, first_side, second_side, rows, strength, both, 
     if both:
         found = matching.half_way(a, side_a, b, side_b, continuity, rows or None, strength, cancel)
         moved = " and ".join(decimals.text_of(one, 2) for one in found.moved)
-        said = f"{_measured(found.first, side_a, found.second, side_b)}; points moved by up to {moved}"
+        said = phrase("{measured}; points moved by up to {moved}",
+                      measured=_measured(found.first, side_a, found.second, side_b), moved=moved)
         return of_patches([found.first, found.second], 0.0, said)
     found = sc.build.match_patch(a, side_a, b, side_b, continuity, rows=rows or None, strength=strength, cancel=cancel)
-    moved = f"points moved by up to {decimals.text_of(found.error, 2)}"
+    moved = phrase("points moved by up to {error}", error=decimals.text_of(found.error, 2))
     return Result(found.value, 0.0, f"{_measured(found.value, side_a, b, side_b)}; {moved}")
 
 
@@ -97,7 +99,8 @@ def _rounded(inputs, radius, end_radius, first_side, second_side, edges, toleran
     if radius != end_radius:
         raise Refusal("a radius that changes is for the edge of two surfaces of one patch each: here Radius and End Radius are one")
     found = rounding.rounded(shapes, edges, radius, tolerance, cancel)
-    return of_patches(found.patches, found.error, "1 edge rounded" if found.count == 1 else f"{found.count} edges rounded")
+    return of_patches(found.patches, found.error, "1 edge rounded" if found.count == 1 else phrase("{count} edges rounded",
+                                                                                                   count=found.count))
 
 
 def _radii(patch, side, radius, end_radius):
@@ -160,9 +163,10 @@ def _of_mesh(inputs, cancel=None):
     polygons, = inputs
     found = sc.build.catmull_clark(polygons.points, polygons.faces, cancel=cancel)
     irregular = found.irregular
-    said = f"{len(found.patches)} patches"
+    said = phrase("{count} patches", count=len(found.patches))
     if irregular:
-        said += f", {irregular} of them about extraordinary points, angle {_short(math.degrees(found.angle))}° between them"
+        said += phrase(", {irregular} of them about extraordinary points, angle {degrees}° between them",
+                       irregular=irregular, degrees=_short(math.degrees(found.angle)))
     if polygons.has_creases:
         said += "; creases count as smooth"
     return of_patches(list(found.patches), 0.0, said)

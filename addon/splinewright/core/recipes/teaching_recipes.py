@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from ..base.failures import Refusal
+from ..base.words import phrase
 from ..formulas import axes, functions, teaching, triangle_picture
 from ..shape import definition as definitions
 from . import wanted
@@ -48,7 +49,7 @@ def _family(name, degree, knots):
 
 def _picture(family, show, width, height, axes):
     zero = functions.zero_functions(family)
-    said = f"zero everywhere: {', '.join(zero)}" if zero else ""
+    said = phrase("zero everywhere: {zero}", zero=', '.join(zero)) if zero else ""
     return of_parts(functions.picture(family, show, width, height, axes), said)
 
 
@@ -89,14 +90,14 @@ def _pairs(text):
     found = [_whole(word.split(",")) for word in text.split()]
     for word, pair in zip(text.split(), found):
         if len(pair) != 2:
-            raise Refusal(f"\"{word}\" is not a function: write number,degree, such as 1,3")
+            raise Refusal("\"{word}\" is not a function: write number,degree, such as 1,3", word=word)
     return [tuple(pair) for pair in found]
 
 
 def _whole(words):
     for word in words:
         if not word.isdecimal():
-            raise Refusal(f"\"{word}\" is not a whole number from 0")
+            raise Refusal("\"{word}\" is not a whole number from 0", word=word)
     return [int(word) for word in words]
 
 

@@ -159,7 +159,7 @@ def require_two(body, edge):
     for pair in edge.pairs:
         for side in body.sides:
             if (side.cell, side.name) not in own and _are_one(pair[0], side, _SAME * body.size):
-                raise Refusal(f"edge {edge.number}: more than two surfaces meet in it")
+                raise Refusal("edge {number}: more than two surfaces meet in it", number=edge.number)
 
 
 def _is_smooth(cells, planes, a, b):

@@ -31,7 +31,7 @@ def cut_back(first, second, first_side, second_side, cancel=None):
     if len(found.curves) == 0:
         raise Refusal("the surfaces have no edge in common, and do not cross")
     if len(found.curves) > 1:
-        raise Refusal(f"the surfaces meet in {len(found.curves)} curves: one is expected")
+        raise Refusal("the surfaces meet in {count} curves: one is expected", count=len(found.curves))
     curve = found.curves[0]
     start, end = curve.domain
     points = curve.evaluate(start + _PLACES * (end - start))
@@ -51,21 +51,23 @@ def _kept(patch, points, ends, side, name):
     spread = np.ptp(parameters, axis=0) / lengths
     level = int(np.argmin(spread))
     if not spread[level] <= _SAME:
-        raise Refusal(f"the surfaces cross, but not along a line of u or v of the {name} one, which would have to be trimmed")
+        raise Refusal("the surfaces cross, but not along a line of u or v of the {name} one, which would have to be trimmed",
+                      name=name)
     reached = np.sort(patch.nearest(ends).parameters[:, 1 - level])
     if not patch.periodic[1 - level] and np.abs(reached - domain[1 - level]).max() > _SAME * lengths[1 - level]:
-        raise Refusal(f"the surfaces cross along a part of a line of the {name} one, not from side to side: it would have to be "
-                      "trimmed")
+        raise Refusal("the surfaces cross along a part of a line of the {name} one, not from side to side: it would have to be "
+                      "trimmed",
+                      name=name)
     axis, at = 'uv'[level], float(np.median(parameters[:, level]))
     for end, limit in zip(('start', 'end'), domain[level]):
         if abs(at - limit) <= _SAME * lengths[level] and not patch.periodic[level]:
             return patch, f"{axis}_{end}"
     if patch.periodic[level]:
-        raise Refusal(f"the {name} surface is closed across where they cross: cut it open there first")
+        raise Refusal("the {name} surface is closed across where they cross: cut it open there first", name=name)
     before, behind = patch.split(axis, at)
     parts = {f"{axis}_end": before, f"{axis}_start": behind}
     if side != 'nearest' and side not in parts:
-        raise Refusal(f"the {name} surface is cut across {axis}: its side is {axis} start or {axis} end")
+        raise Refusal("the {name} surface is cut across {axis}: its side is {axis} start or {axis} end", name=name, axis=axis)
     chosen = side if side != 'nearest' else max(parts, key=lambda one: _size(parts[one]))
     return parts[chosen], chosen
 

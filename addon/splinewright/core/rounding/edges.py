@@ -109,8 +109,9 @@ def _require_apart(body, rolled, flat):
         for other in (*rolled[i + 1:], *flat):
             shared = _ends(edge) & _ends(other)
             if shared:
-                raise Refusal(f"{planes.named(body, min(shared))}: edges {edge.number} and {other.number} end there, and not all "
-                              "surfaces there are planes: round one of them first, then the others with a smaller radius")
+                raise Refusal("{body}: edges {number} and {other_number} end there, and not all surfaces there are planes: round "
+                              "one of them first, then the others with a smaller radius",
+                              body=planes.named(body, min(shared)), number=edge.number, other_number=other.number)
 
 
 def _place_of(edge):
@@ -131,4 +132,4 @@ def _found(body, number):
     for edge in body.edges:
         if edge.number == number:
             return edge
-    raise Refusal(f"edge {number} is lost where another one is rounded: round them one after the other")
+    raise Refusal("edge {number} is lost where another one is rounded: round them one after the other", number=number)

@@ -70,13 +70,13 @@ def _loop(parts, named):
     following = {}
     for part in parts:
         if part.start in following:
-            raise Refusal(f"{named}: a plane surface beside it touches itself in a corner")
+            raise Refusal("{named}: a plane surface beside it touches itself in a corner", named=named)
         following[part.start] = part
     loop = [parts[0]]
     while loop[-1].end in following and following[loop[-1].end] is not loop[0] and len(loop) < len(parts):
         loop.append(following[loop[-1].end])
     if len(loop) < len(parts):
-        raise Refusal(f"{named}: a plane surface beside it has a hole")
+        raise Refusal("{named}: a plane surface beside it has a hole", named=named)
     return loop
 
 

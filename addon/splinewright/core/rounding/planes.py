@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from . import ball_corner
 from .outlines import filled, outline_of, segment
 
@@ -64,7 +65,7 @@ class _Rounding:
         return self._outlines[face]
 
     def _ridge(self, edge):
-        named, faces = f"edge {edge.number}", tuple(self.body.face_of[side.cell] for side in edge.pairs[0])
+        named, faces = phrase("edge {number}", number=edge.number), tuple(self.body.face_of[side.cell] for side in edge.pairs[0])
         spans = []
         for face in faces:
             outline = self.outline(face, named)
@@ -75,14 +76,14 @@ class _Rounding:
         inward = [np.cross(self._outlines[face].normal, way if span.start == a.start else -way) for face, span in zip(faces, spans)]
         half = 0.5 * math.atan2(np.linalg.norm(np.cross(*inward)), np.dot(*inward))
         if not half > 0.5 * _LEAST_ANGLE:
-            raise Refusal(f"{named}: its surfaces fold back on each other, there is no room for a ball")
+            raise Refusal("{named}: its surfaces fold back on each other, there is no room for a ball", named=named)
         return Ridge(edge.number, faces, (a.start, a.end), way, tuple(inward), half)
 
     def _end(self, corner, meeting):
         """Find out where the faces of a corner go in which chosen edges end. Raises Refusal."""
         faces = self.body.faces_at(corner)
         if any(self.body.faces[face].plane is None for face in faces):
-            raise Refusal(f"{self._named(corner)}: a surface there is no plane, and would have to be trimmed")
+            raise Refusal("{named}: a surface there is no plane, and would have to be trimmed", named=self._named(corner))
         for face in faces:
             self.outline(face, self._named(corner))
         if len(meeting) == 1 and len(faces) <= 3:
@@ -92,9 +93,10 @@ class _Rounding:
         elif len(meeting) == 2 and len(faces) == 3 and len(set(meeting[0].faces) & set(meeting[1].faces)) == 1:
             self._miter(corner, *meeting, faces)
         else:
-            raise Refusal(f"{self._named(corner)}: {_counted(len(meeting), 'rounded edge')} and {_counted(len(faces), 'surface')} "
-                          "meet there; one edge of two or three surfaces can end, and two or all three edges of three surfaces can "
-                          "be rounded: choose other edges there")
+            raise Refusal("{named}: {first} and {second} meet there; one edge of two or three surfaces can end, and two or "
+                          "all three edges of three surfaces can be rounded: choose other edges there",
+                          named=self._named(corner), first=phrase("{count} rounded edges", one="{count} rounded edge", count=len(meeting)),
+                          second=phrase("{count} surfaces", one="{count} surface", count=len(faces)))
 
     def _one(self, corner, ridge, faces):
         for face in ridge.faces:
@@ -102,7 +104,8 @@ class _Rounding:
         for face in faces - set(ridge.faces):
             ending, starting = (self._outlines[face].spans[i] for i in self._outlines[face].at(corner))
             if {ending.across, starting.across} != set(ridge.faces):
-                raise Refusal(f"{self._named(corner)}: the surface at its end does not meet both surfaces of the edge there")
+                raise Refusal("{named}: the surface at its end does not meet both surfaces of the edge there",
+                              named=self._named(corner))
             self.arcs_of[face, corner] = ridge
         first, second = (self.at[face, corner] for face in ridge.faces)
         self.arcs[ridge.number, corner] = _arc(first, self.body.corners[corner], second, ridge.half)
@@ -113,12 +116,13 @@ class _Rounding:
         spans = [outline.spans[i] for i in outline.at(corner)]
         beside = next(span for span in spans if span.edge != ridge.number)
         if not beside.is_line:
-            raise Refusal(f"{self._named(corner)}: a side that is no straight line ends there, and would have to be trimmed")
+            raise Refusal("{named}: a side that is no straight line ends there, and would have to be trimmed",
+                          named=self._named(corner))
         place = self.body.corners[corner]
         way = self.body.corners[beside.start if beside.end == corner else beside.end] - place
         into = way @ ridge.into(face)
         if not into > _LEAST_ANGLE * np.linalg.norm(way):
-            raise Refusal(f"{self._named(corner)}: a side is tangent to the edge there")
+            raise Refusal("{named}: a side is tangent to the edge there", named=self._named(corner))
         return place + way * (self.radius / math.tan(ridge.half) / into)
 
     def _miter(self, corner, first, second, faces):
@@ -130,8 +134,9 @@ class _Rounding:
         is_one = abs(first.half - second.half) <= _SAME and np.linalg.norm(ends[0] - ends[1]) <= _SAME * self.body.size
         if not is_one:
             numbers = _listed(sorted((first.number, second.number)))
-            raise Refusal(f"{self._named(corner)}: {numbers} meet the surface between them at different angles, and the rest of "
-                          "the third edge would have to be trimmed: round all three edges there, or one")
+            raise Refusal("{named}: {numbers} meet the surface between them at different angles, and the rest of the third edge "
+                          "would have to be trimmed: round all three edges there, or one",
+                          named=self._named(corner), numbers=numbers)
         self.at[shared, corner] = place + away - sides[0] * self.radius * normals[0]
         for ridge in (first, second):
             self.at[ridge.other(shared), corner] = ends[0]
@@ -145,13 +150,14 @@ class _Rounding:
             normal = self._outlines[face].normal
             found = {np.sign(normal @ ridge.into(ridge.other(face))) for ridge in ridges if face in ridge.faces}
             if len(found) != 1:
-                raise Refusal(f"{self._named(corner)}: inner and outer edges meet there, on which one ball cannot lie: round them one "
-                              "after the other, or let them end apart")
+                raise Refusal("{named}: inner and outer edges meet there, on which one ball cannot lie: round them one after the "
+                              "other, or let them end apart",
+                              named=self._named(corner))
             normals.append(normal)
             sides.append(found.pop())
         if abs(np.linalg.det(normals)) < _LEAST_ANGLE:
-            raise Refusal(f"{self._named(corner)}: its surfaces are too near to one plane, or to one direction, for a ball: round fewer "
-                          "edges there")
+            raise Refusal("{named}: its surfaces are too near to one plane, or to one direction, for a ball: round fewer edges there",
+                          named=self._named(corner))
         return np.linalg.solve(np.array(normals), self.radius * np.array(sides)), normals, sides
 
     def _ball(self, corner, ridges, faces):
@@ -176,7 +182,7 @@ class _Rounding:
         for corner, net, _ in self.balls:
             least = ball_corner.degree_for(net)
             if least is None:
-                raise Refusal(f"{self._named(corner)}: it is too sharp for the corner of a ball")
+                raise Refusal("{named}: it is too sharp for the corner of a ball", named=self._named(corner))
             degree = max(degree, least)
         self.arcs = {key: _in_space(ball_corner.raised(arc, degree)) for key, arc in self.arcs.items()}
         self.balls = [(corner, ball_corner.raised(net, degree), around) for corner, net, around in self.balls]
@@ -200,7 +206,7 @@ class _Rounding:
         if not made:
             near = sorted({ridge.number for ridge in self.ridges if face in ridge.faces or any(
                 (face, end) in self.arcs_of and self.arcs_of[face, end] is ridge for end in ridge.ends)})
-            raise Refusal(f"the rest of a plane beside {_listed(near)} cannot be filled: the radius is too large for it")
+            raise Refusal("the rest of a plane beside {near} cannot be filled: the radius is too large for it", near=_listed(near))
         return made
 
     def _pieces(self, face, span, changing):
@@ -210,7 +216,8 @@ class _Rounding:
             return list(span.curves)
         along = self.body.corners[span.end] - self.body.corners[span.start]
         if not (end - start) @ along > 1e-9 * (along @ along):
-            raise Refusal(f"the radius is too large for the surfaces beside {self._edges_about(span)}: nothing is left of a side")
+            raise Refusal("the radius is too large for the surfaces beside {edges_about}: nothing is left of a side",
+                          edges_about=self._edges_about(span))
         return [segment(start, end)]
 
     def _place(self, face, span, corner):
@@ -252,17 +259,14 @@ def named(body, corner):
     numbers = [edge.number for edge in body.edges if edge.number and corner in (edge.pairs[0][0].start, edge.pairs[-1][0].end)]
     if not numbers:
         return "a corner"
-    return f"the corner of {_listed(numbers)}" if len(numbers) > 1 else f"the end of {_listed(numbers)}"
+    return phrase("the corner of {numbers}",
+                  numbers=_listed(numbers)) if len(numbers) > 1 else phrase("the end of {numbers}", numbers=_listed(numbers))
 
 
 def _listed(numbers):
     if len(numbers) == 1:
-        return f"edge {numbers[0]}"
-    return f"edges {', '.join(map(str, numbers[:-1]))} and {numbers[-1]}"
-
-
-def _counted(count, what):
-    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+        return phrase("edge {numbers}", numbers=numbers[0])
+    return phrase("edges {numbers} and {last}", numbers=', '.join(map(str, numbers[:-1])), last=numbers[-1])
 
 
 def _pairs(faces):

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from . import strips
 from .outlines import filled, outline_of, segment
 from .planes import named
@@ -33,9 +34,9 @@ def rolled(body, edge, radius, tolerance, cancel=None):
         first = first or found
     if first is not None:
         return first
-    if f"edge {edge.number}" in str(refused):
+    if phrase("edge {number}", number=edge.number) in str(refused):
         raise refused
-    raise Refusal(f"edge {edge.number}: {refused}") from refused
+    raise Refusal("edge {number}: {refused}", number=edge.number, refused=refused) from refused
 
 
 class _Rolling:
@@ -52,11 +53,11 @@ class _Rolling:
         pairs = self.edge.pairs if self.edge.is_closed else self.edge.pairs[:-1]
         own = [pair[i].cell for pair in self.edge.pairs for i in range(2) if i not in self.strips]
         if len(set(own)) < len(own):
-            raise Refusal(f"edge {self.edge.number}: a patch lies along it twice: split it there first")
+            raise Refusal("edge {number}: a patch lies along it twice: split it there first", number=self.edge.number)
         along = {self.faces[i] for i in self.strips}
         for corner in {first.end for first, _ in pairs}:
             if any(cell not in own and self.body.face_of[cell] not in along for cell in self._cells_at(corner)):
-                raise Refusal(f"edge {self.edge.number}: another patch ends at a joint of it")
+                raise Refusal("edge {number}: another patch ends at a joint of it", number=self.edge.number)
 
     def _cells_at(self, corner):
         return {side.cell for side in self.body.sides if corner in (side.start, side.end)}
@@ -70,7 +71,7 @@ class _Rolling:
         """Rolled, with strips of a width, by the radius, in place of planes; None for the patches as they are."""
         self.strips = self.planes if width else []
         if width and not self.planes:
-            raise Refusal(f"edge {self.edge.number}: its surfaces are no planes")
+            raise Refusal("edge {number}: its surfaces are no planes", number=self.edge.number)
         self.outlines, self.new, self.at, self.left = {}, {}, {}, {}
         self._require_alone()
         asked = [self._asked(pair, width) for pair in self.edge.pairs]
@@ -105,7 +106,7 @@ class _Rolling:
     def outline(self, face):
         if face not in self.outlines:
             edge_of = {self.body.side(side.cell, side.name): self.edge.number for pair in self.edge.pairs for side in pair}
-            self.outlines[face] = outline_of(self.body, face, edge_of, f"edge {self.edge.number}")
+            self.outlines[face] = outline_of(self.body, face, edge_of, phrase("edge {number}", number=self.edge.number))
         return self.outlines[face]
 
     def _asked(self, pair, width):
@@ -144,7 +145,8 @@ class _Rolling:
         outline = self.outline(face)
         span = next(outline.spans[i] for i in outline.at(corner) if outline.spans[i].edge != self.edge.number)
         if not span.is_line:
-            raise Refusal(f"{self._where(corner)}: a side that is no straight line ends there, and would have to be trimmed")
+            raise Refusal("{where}: a side that is no straight line ends there, and would have to be trimmed",
+                          where=self._where(corner))
         return span
 
     def _require_closed(self, parts):
@@ -154,10 +156,10 @@ class _Rolling:
             return
         start, end = (np.asarray(patch.boundary(side).points) for patch, side in ((first, 'u_start'), (last, 'u_end')))
         if start.shape != end.shape or not np.abs(start - end).max() <= 1e-9 * self.body.size:
-            raise Refusal(f"edge {self.edge.number}: it is closed, but has a corner where it closes")
+            raise Refusal("edge {number}: it is closed, but has a corner where it closes", number=self.edge.number)
 
     def _where(self, corner):
-        return f"edge {self.edge.number}, {named(self.body, corner)}"
+        return phrase("edge {number}, {body}", number=self.edge.number, body=named(self.body, corner))
 
     def _end(self, corner):
         """The plane face in which the edge ends, or None."""
@@ -165,16 +167,16 @@ class _Rolling:
         own = {pair[i].cell for pair in self.edge.pairs for i in range(2) if i not in self.strips}
         kept = {body.face_of[cell] for cell in own}
         if any(body.face_of[cell] in kept for cell in self._cells_at(corner) - own):
-            raise Refusal(f"{where}: a surface beside it has a seam there")
+            raise Refusal("{where}: a surface beside it has a seam there", where=where)
         others = body.faces_at(corner) - kept - set(self.faces)
         if not others:
             return None
         face = min(others)
         if len(others) > 1 or body.faces[face].plane is None:
-            raise Refusal(f"{where}: surfaces end there that would have to be trimmed; one plane could be cut back")
+            raise Refusal("{where}: surfaces end there that would have to be trimmed; one plane could be cut back", where=where)
         spans = self.outline(face).spans
         if {spans[i].across for i in self.outline(face).at(corner)} != set(self._faces_at(corner)):
-            raise Refusal(f"{where}: the surface at its end does not meet both surfaces of the edge there")
+            raise Refusal("{where}: the surface at its end does not meet both surfaces of the edge there", where=where)
         return face
 
     def _take_back(self, face, ends):
@@ -190,8 +192,9 @@ class _Rolling:
             for piece in (pieces[ending][0], arc, pieces[starting][0]):
                 off = np.abs((_points(piece) - self.body.faces[face].plane[0]) @ outline.normal).max()
                 if not off <= self.tolerance:
-                    raise Refusal(f"{self._where(corner)}: the rounded edge leaves the plane in which it ends by {off:.2g}, and "
-                                  "would have to be trimmed")
+                    raise Refusal("{where}: the rounded edge leaves the plane in which it ends by {off:.2g}, and would have to be "
+                                  "trimmed",
+                                  where=self._where(corner), off=off)
             pieces[ending].append(arc)
         self._fill(face, [piece for those in pieces for piece in those], self._where(ends[0][0]))
 
@@ -211,7 +214,7 @@ class _Rolling:
         share = (point - self.body.corners[corner]) @ way / (way @ way)
         off = np.linalg.norm(point - self.body.corners[corner] - share * way)
         if not (0.0 < share < 1.0 and off <= self.tolerance):
-            raise Refusal(f"{self._where(corner)}: the radius is too large for the side of the plane there")
+            raise Refusal("{where}: the radius is too large for the side of the plane there", where=self._where(corner))
         return point
 
     def _shortened(self, span, corner, face):
@@ -228,7 +231,7 @@ class _Rolling:
                 far = body.corners[span.start if span.end == corner else span.end]
                 gaps = np.linalg.norm(np.asarray(curve.points)[[0, -1]] - far, axis=1)
                 return curve if (gaps[0] <= gaps[1]) == (span.end == corner) else curve.reversed()
-        raise Refusal(f"{named(body, corner)}: the surface at its end does not meet both surfaces of the edge there")
+        raise Refusal("{body}: the surface at its end does not meet both surfaces of the edge there", body=named(body, corner))
 
     def _line(self, face, span):
         """A straight side of which one end, or both, are where the ball touches a plane face beside the edge."""
@@ -242,13 +245,13 @@ class _Rolling:
                 gaps = np.abs(np.asarray(one.points)[[0, -1]] - [start, end]).max()
                 if gaps <= 1e-9 * self.body.size:
                     return one
-        raise Refusal(f"{where}: the rounded edge and the trimmed surfaces do not end together")
+        raise Refusal("{where}: the rounded edge and the trimmed surfaces do not end together", where=where)
 
     def _refill(self, i):
         """The rest of the plane face of strips."""
         face, pieces = self.faces[i], []
         if face in self.left:
-            raise Refusal(f"edge {self.edge.number}: it ends on a plane that it runs along")
+            raise Refusal("edge {number}: it ends on a plane that it runs along", number=self.edge.number)
         contacts = [sides[i].boundary('v_start') for sides in self.sides]
         for span in self.outline(face).spans:
             if span.edge == self.edge.number:
@@ -257,12 +260,12 @@ class _Rolling:
                 pieces.append(self._line(face, span))
             else:
                 pieces += span.curves
-        self._fill(face, pieces, f"edge {self.edge.number}")
+        self._fill(face, pieces, phrase("edge {number}", number=self.edge.number))
 
     def _fill(self, face, pieces, where):
         made = filled(pieces, self.outline(face).normal, self.body.size)
         if not made:
-            raise Refusal(f"{where}: the rest of the plane there cannot be filled: the radius is too large for it")
+            raise Refusal("{where}: the rest of the plane there cannot be filled: the radius is too large for it", where=where)
         self.left[face] = made
 
     def _cells(self):

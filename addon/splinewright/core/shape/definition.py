@@ -42,11 +42,11 @@ class Piece:
         if type(self.name) is not str:
             raise Refusal("the name of a piece is not a text")
         if self.kind not in ('bezier', 'hermite', 'nurbs'):
-            raise Refusal(f"'{self.kind}' is no kind of piece")
+            raise Refusal("'{kind}' is no kind of piece", kind=self.kind)
         nets = () if self.kind != 'hermite' else (3,) if axes == 1 else (4,)
         counts = self.indices.shape[len(nets):]
         if self.indices.shape[:len(nets)] != nets or len(counts) != axes:
-            raise Refusal(f"a piece has points of shape {self.indices.shape}")
+            raise Refusal("a piece has points of shape {shape}", shape=self.indices.shape)
         if self.indices.size == 0 or self.indices.min() < 0 or self.indices.max() >= pool_size:
             raise Refusal("a piece names points that are not there")
         if self.kind == 'nurbs':
@@ -107,9 +107,9 @@ class Definition:
     def require_consistent(self):
         """Raises Refusal or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
-            raise Refusal(f"its form is '{self.form}' with {len(self.pieces)} pieces")
+            raise Refusal("its form is '{form}' with {count} pieces", form=self.form, count=len(self.pieces))
         if self.form in ('curve', 'patch') and len(self.pieces) != 1:
-            raise Refusal(f"it is one {self.form} with {len(self.pieces)} pieces")
+            raise Refusal("it is one {form} with {count} pieces", form=self.form, count=len(self.pieces))
         if not np.isfinite(self.pool).all() or not self.pool[:, 3].any():
             raise Refusal("its points are not finite")
         for piece in self.pieces:
@@ -127,12 +127,12 @@ def from_value(value):
     if isinstance(value, (list, tuple)):
         for i, item in enumerate(value):
             if not isinstance(item, ANY_CURVES):
-                raise WrongKind(f"value[{i}] is a {type(item).__name__}, a list holds curves only")
+                raise WrongKind("value[{i}] is a {name}, a list holds curves only", i=i, name=type(item).__name__)
         if not value:
             raise Refusal("value is an empty list: a shape needs one curve or more")
         return _from_curves('curves', list(map(_kept, value)))
-    raise WrongKind(f"value is of type {type(value).__name__}: a curve, a list of curves, a patch "
-                    "or a PatchSet is expected")
+    raise WrongKind("value is of type {name}: a curve, a list of curves, a patch or a PatchSet is expected",
+                    name=type(value).__name__)
 
 
 def named(definition, names):

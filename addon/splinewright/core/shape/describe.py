@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from ..base.words import phrase
+
 #: Knots below this part of the largest one are shown as 0.
 _ROUNDING = 1e-12
 KINDS = {'bezier': "Bezier", 'hermite': "Hermite", 'nurbs': "NURBS"}
@@ -20,7 +22,7 @@ def lines(definition):
     if piece.kind == 'nurbs':
         names = [""] if noun == "curve" else [" U", " V"]
         for name, knots, degree, periodic in zip(names, piece.knots, piece.degree, piece.periodic):
-            found.append((f"Knots{name}", f"{len(knots)}, {knot_type(knots, degree, periodic)}"))
+            found.append((phrase("Knots{name}", name=name), f"{len(knots)}, {knot_type(knots, degree, periodic)}"))
             found.append(("", knots_text(knots)))
     if is_rational(definition):
         found.append(("Weights", "rational"))
@@ -33,7 +35,7 @@ def _summary(definition, noun):
     plural = "curves" if noun == "curve" else "patches"
     found = [("Kind", f"{len(definition.pieces)} {', '.join(kinds)} {plural}"),
              ("Degrees", ", ".join(_times(d) for d in of_all)),
-             ("Points", f"{len(definition.pool)} in the pool")]
+             ("Points", phrase("{count} in the pool", count=len(definition.pool)))]
     if is_rational(definition):
         found.append(("Weights", "rational"))
     return found

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..base import decimals
 from ..base.failures import Refusal
+from ..base.words import phrase
 from .definition import have_same_pieces
 
 _SINGLE = np.finfo(np.float32)
@@ -44,11 +45,12 @@ def taken(definition, rows, given, is_given):
     problem, is_wild = "", (wanted & ~np.isfinite(given)).any(1)
     is_weight = wanted[:, 3] & ~is_wild & ((pool[:, 3] == 0) | (given[:, 3] == 0))
     if is_wild.any():
-        problem = f"keys or drivers give point {rows[is_wild][0]} a number that is none: it stays where it was"
+        problem = phrase("keys or drivers give point {rows} a number that is none: it stays where it was", rows=rows[is_wild][0])
     elif is_weight.any():
         row = rows[is_weight][0]
-        problem = (f"point {row} lies at infinity: its weight stays 0" if pool[is_weight][0, 3] == 0 else
-                   f"keys or drivers give point {row} the weight 0, which would take it out of the shape: it keeps its weight")
+        problem = (phrase("point {row} lies at infinity: its weight stays 0", row=row) if pool[is_weight][0, 3] == 0 else
+                   phrase("keys or drivers give point {row} the weight 0, which would take it out of the shape: it keeps its weight",
+                          row=row))
     wanted[is_wild] = False
     wanted[is_weight, 3] = False
     if not wanted.any():

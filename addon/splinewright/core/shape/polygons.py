@@ -26,6 +26,7 @@ class Polygons(NamedTuple):
 def require_faces(name, count):
     """Raises Refusal about a mesh of this name."""
     if not count:
-        raise Refusal(f"{name}: the mesh has no face: a surface needs some")
+        raise Refusal("{name}: the mesh has no face: a surface needs some", name=name)
     if count > MOST_FACES:
-        raise Refusal(f"{name}: the mesh has {count:,} faces, {MOST_FACES:,} are the most: take the mesh before it was subdivided")
+        raise Refusal("{name}: the mesh has {count:,} faces, {most_faces:,} are the most: take the mesh before it was subdivided",
+                      name=name, count=count, most_faces=MOST_FACES)

@@ -95,7 +95,8 @@ def _require_own_sides(definition, numbers):
         own = set(definition.pieces[number].indices.ravel().tolist())
         for other, piece in enumerate(definition.pieces):
             if other != number and len(own.intersection(piece.indices.ravel().tolist())) > 1:
-                raise Refusal(f"patch {number + 1} shares a side with patch {other + 1}: a cap with a hole would part them")
+                raise Refusal("patch {number} shares a side with patch {other}: a cap with a hole would part them",
+                              number=number + 1, other=other + 1)
 
 
 def _hollow(patches, pair, rings):

@@ -48,7 +48,8 @@ def around(sides, count, tolerance):
     found = [cycle for start in free for cycle in _cycles(free, ends, start)
              if {sides[i].owner for i in cycle} == set(range(count))]
     if not found:
-        raise Refusal(f"they do not surround a hole of three to eight sides within {tolerance:.2g}: their sides do not meet")
+        raise Refusal("they do not surround a hole of three to eight sides within {tolerance:.2g}: their sides do not meet",
+                      tolerance=tolerance)
     lengths = [side.curve.length(tolerance=1e-3) for side in sides]
     return [sides[i] for i in min(found, key=lambda cycle: (len(cycle), sum(lengths[i] for i in cycle)))]
 
@@ -103,7 +104,7 @@ def _cuts(curve):
     """The parameters at which a closed curve is cut into three to eight sides. Raises Refusal."""
     cuts = _corners_of(curve)
     if len(cuts) >= _MOST:
-        raise Refusal(f"it has {len(cuts) + 1} corners: a hole has eight at most")
+        raise Refusal("it has {count} corners: a hole has eight at most", count=len(cuts) + 1)
     least = 3 if not cuts else 2
     while len(cuts) < least:
         start, end = curve.domain

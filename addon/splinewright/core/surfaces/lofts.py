@@ -7,6 +7,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import AboutInputs, Refusal, about_items
 from ..base.library import sc
+from ..base.words import phrase
 from ..joints import patch_joints
 from ..verbs import patch_curves, verbs
 from . import sections
@@ -103,7 +104,8 @@ def loft(found, start, end, is_aligned, is_matched, **options):
 
 def calmed_in_words(part):
     """With which part of its strengths a surface follows others, or "" where that is all of it."""
-    return "" if part == 1 else f"it follows surfaces with {decimals.text_of(part, 2)} of the strength: with more it would shoot out"
+    return "" if part == 1 else phrase("it follows surfaces with {part} of the strength: with more it would shoot out",
+                                       part=decimals.text_of(part, 2))
 
 
 def _require_order(found):
@@ -130,7 +132,7 @@ def _unmatched(inner, is_aligned):
     for count in sorted(set(counts), key=counts.index):
         numbers = [str(one.number + 1) for one, own in zip(curves, counts) if own == count]
         told.append(f"{', '.join(numbers)} {'has' if len(numbers) == 1 else 'have'} {count or 'none'}")
-    return f"corners are not matched: of the sections {' and '.join(told)}"
+    return phrase("corners are not matched: of the sections {told}", told=' and '.join(told))
 
 
 def _leaving(inner, at, end, name):
@@ -139,10 +141,10 @@ def _leaving(inner, at, end, name):
         return {}
     own, beside = inner[at], inner[1 if at == 0 else -2] if len(inner) > 1 else None
     if end.how in _ALONG_SURFACE:
-        raise Refusal(f"the {name} is to continue a surface: add one next to it to the list, before the first or "
-                      "after the last curve")
+        raise Refusal("the {name} is to continue a surface: add one next to it to the list, before the first or after the last curve",
+                      name=name)
     if beside is None:
-        raise Refusal(f"the {name} has no section beside it to go to")
+        raise Refusal("the {name} has no section beside it to go to", name=name)
     if end.how == 'round':
         if own.point is None:
             raise AboutInputs(f"{{}} is a curve: only a {name} in a point can be round", own.number)

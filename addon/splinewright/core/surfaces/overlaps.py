@@ -7,6 +7,7 @@ import numpy as np
 
 from ..base import decimals
 from ..base.library import sc
+from ..base.words import phrase
 
 #: Of what differs by rounding, as a part of the size.
 _SAME = 1e-9
@@ -30,9 +31,10 @@ def of_profile(curves, way, cancel=None):
             continue
         at, problem = _told(lambda: _met(a.intersections(b, cancel=cancel), curves[i], curves[k], way))
         if at or problem:
-            both = f"curves {i + 1} and {k + 1} of {len(curves)}"
-            yield (f"{both} cross at u = {_text(at[0])} and u = {_text(at[1])}: so do the surfaces" if at
-                   else f"whether {both} cross is not told: {problem}")
+            both = phrase("curves {i} and {k} of {count}", i=i + 1, k=k + 1, count=len(curves))
+            yield (phrase("{both} cross at u = {first} and u = {second}: so do the surfaces",
+                          both=both, first=_text(at[0]), second=_text(at[1])) if at
+                   else phrase("whether {both} cross is not told: {problem}", both=both, problem=problem))
             return
 
 
@@ -45,13 +47,14 @@ def _told(find):
 
 
 def _named(number, count):
-    return "the curve" if count == 1 else f"curve {number} of {count}"
+    return "the curve" if count == 1 else phrase("curve {number} of {count}", number=number, count=count)
 
 
 def _of_itself(whose, at, problem):
     if problem:
-        return f"whether {whose} crosses itself is not told: {problem}"
-    return f"{whose} crosses itself at u = {_text(at[0])} and u = {_text(at[1])}: so does the surface"
+        return phrase("whether {whose} crosses itself is not told: {problem}", whose=whose, problem=problem)
+    return phrase("{whose} crosses itself at u = {first} and u = {second}: so does the surface",
+                  whose=whose, first=_text(at[0]), second=_text(at[1]))
 
 
 def _seen_along(curve, way):
@@ -83,7 +86,7 @@ def of_turned(curves, through, direction, sweep, cancel=None):
         whose = _named(number, len(curves))
         at = _crosses_axis(curve.to_nurbs(), through, direction) if abs(sweep) > np.pi else None
         if at is not None:
-            yield f"{whose} crosses the axis at u = {_text(at)}: the surface goes through itself"
+            yield phrase("{whose} crosses the axis at u = {u}: the surface goes through itself", whose=whose, u=_text(at))
         at, problem = _told(lambda: _first_crossing(curve.self_intersections(cancel=cancel)))
         if at or problem:
             yield _of_itself(whose, at, problem)
@@ -134,8 +137,8 @@ def of_rail(patch, rail):
     if back.any():
         i = int(np.nanargmin(np.where(back, forward, np.inf).min(axis=0)))
         bend = float(rail.curvature([v[i]])[0])
-        radius = f" with a radius of {decimals.text_of(1.0 / bend)}" if bend > 0.0 else ""
-        yield f"the curve bends{radius} at u = {_text(v[i])}: the surface folds there"
+        radius = phrase(" with a radius of {bend}", bend=decimals.text_of(1.0 / bend)) if bend > 0.0 else ""
+        yield phrase("the curve bends{radius} at u = {text}: the surface folds there", radius=radius, text=_text(v[i]))
 
 
 def of_thick(patch, other, distance):
@@ -153,8 +156,9 @@ def of_thick(patch, other, distance):
         away = points[i] - patch.evaluate(*foot)
         normal = patch.evaluate_grid_with_normals([foot[0]], [foot[1]])[1].ravel()
         if (away @ normal) * distance > 0.0:
-            yield (f"at u = {_text(grid_u[i])}, v = {_text(grid_v[i])} it comes as near as {decimals.text_of(nearest.distances[i])} to "
-                   "another part of the surface: it goes through itself there")
+            yield (phrase("at u = {u}, v = {v} it comes as near as {distance} to another part of the surface: it goes "
+                          "through itself there",
+                          u=_text(grid_u[i]), v=_text(grid_v[i]), distance=decimals.text_of(nearest.distances[i])))
             return
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..base.words import phrase
 from ..shape import describe
 
 #: A knot that is moved by the mouse keeps away from its neighbors by this part of what lies between them.
@@ -134,7 +135,8 @@ def neighbors(bar, i):
 def where(bar, i):
     """neighbors() in words."""
     low, high = (number(bar, value) if math.isfinite(value) else "" for value in neighbors(bar, i))
-    return f"between {low} and {high}" if low and high else f"above {low}" if low else f"below {high}"
+    return phrase("between {low} and {high}", low=low, high=high) if low and high else phrase("above {low}",
+                                                                   low=low) if low else phrase("below {high}", high=high)
 
 
 def reach(bar, i):

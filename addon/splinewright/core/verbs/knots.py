@@ -26,7 +26,8 @@ def replaced(definition, piece, axis, text):
     old = _knots(definition, piece, axis)
     new = _numbers(text)
     if len(new) != len(old[axis]):
-        raise Refusal(f"{len(new)} knots were given, {len(old[axis])} are needed for these points and this degree")
+        raise Refusal("{count} knots were given, {needed} are needed for these points and this degree",
+                      count=len(new), needed=len(old[axis]))
     _require_order(new, is_parameters=definition.pieces[piece].kind == 'hermite')
     changed = _with_knots(definition, piece, axis, new)
     definitions.to_value(changed)       # the library refuses what is not a knot vector
@@ -43,12 +44,12 @@ def moved(definition, alongs, number, to):
     old = _knots(definition, piece, axis)[axis]
     bar = knot_strip.bars_of(definition.pieces[piece])[axis]
     if not 0 <= number < len(old):
-        raise Refusal(f"there are {len(old)} knots, and none of number {number + 1}")
+        raise Refusal("there are {count} knots, and none of number {number}", count=len(old), number=number + 1)
     found = int(np.searchsorted(bar.firsts, number, 'right')) - 1
     if knot_strip.why_fixed(bar, found):
         raise Refusal(knot_strip.why_fixed(bar, found))
     if not knot_strip.is_between(bar, found, to):
-        raise Refusal(f"this knot lies {knot_strip.where(bar, found)}")
+        raise Refusal("this knot lies {where}", where=knot_strip.where(bar, found))
     for along in alongs:
         known = definition.pieces[along.piece].knots[along.axis]
         is_meant = old[::-1] == old[number] if along.is_turned else old == old[number]
@@ -72,13 +73,15 @@ def _require_order(numbers, is_parameters):
     if len(wrong):
         i, noun = int(wrong[0]), "parameter" if is_parameters else "knot"
         how = "not larger" if is_parameters else "smaller"
-        raise Refusal(f"{noun} {i + 2}, {numbers[i + 1]:g}, is {how} than the one before it, {numbers[i]:g}")
+        raise Refusal("{noun} {i}, {number:g}, is {how} than the one before it, {before:g}",
+                      noun=noun, i=i + 2, number=numbers[i + 1], how=how, before=numbers[i])
 
 
 def _knots(definition, piece, axis):
     if not 0 <= piece < len(definition.pieces):
         count = len(definition.pieces)
-        raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {piece + 1}")
+        raise Refusal("the shape has {count} pieces, there is none of number {number}",
+                      "the shape has {count} piece, there is none of number {number}", count=count, number=piece + 1)
     if not definition.pieces[piece].knots:
         raise Refusal("a Bezier piece has no knots")
     knots = definition.pieces[piece].knots
@@ -90,11 +93,11 @@ def _knots(definition, piece, axis):
 def _numbers(text):
     words = text.replace(",", " ").split()
     if len(words) > _MOST:
-        raise Refusal(f"{len(words)} knots are too many")
+        raise Refusal("{count} knots are too many", count=len(words))
     numbers = []
     for i, word in enumerate(words, 1):
         try:
             numbers.append(float(word))
         except ValueError:
-            raise Refusal(f"'{word[:40]}', word {i} of the knots, is not a number") from None
+            raise Refusal("'{word}', word {i} of the knots, is not a number", word=word[:40], i=i) from None
     return np.array(numbers, dtype=np.float64)

@@ -2,6 +2,7 @@
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import parameters
 from . import verbs
 from .patch_verbs import Along
@@ -36,7 +37,7 @@ def _found(patches, number, wanted, find):
             if not reason:
                 curves.append(curve)
             else:
-                left_out.append(f"piece {i + 1}: {reason}" if len(patches) > 1 else reason)
+                left_out.append(phrase("piece {i}: {reason}", i=i + 1, reason=reason) if len(patches) > 1 else reason)
     if not curves:
         raise Refusal(", ".join(left_out))
     return curves, left_out
@@ -50,18 +51,19 @@ def _isocurve(patch, wanted):
         curve = patch.isocurve(axis, parameter)
     except sc.InvalidShape as error:
         return None, str(error).replace("at =", f"{axis} =")
-    return (None, f"at {axis} = {parameter:.6g} it is a point") if _is_point(curve, patch) else (curve, "")
+    return (None, phrase("at {axis} = {parameter:.6g} it is a point",
+                         axis=axis, parameter=parameter)) if _is_point(curve, patch) else (curve, "")
 
 
 def side_of(patch, side):
     """(the curve of a side, "") or (None, why there is none)."""
     if getattr(patch, 'periodic', (False, False))['uv'.index(side[0])]:
-        return None, f"{SIDES[side]} is no side, the patch is periodic"
+        return None, phrase("{side} is no side, the patch is periodic", side=SIDES[side])
     try:
         curve = patch.boundary(side)
     except sc.InvalidShape:
-        return None, f"{SIDES[side]} lies at infinity"
-    return (None, f"{SIDES[side]} is a point") if _is_point(curve, patch) else (curve, "")
+        return None, phrase("{side} lies at infinity", side=SIDES[side])
+    return (None, phrase("{side} is a point", side=SIDES[side])) if _is_point(curve, patch) else (curve, "")
 
 
 def _is_point(curve, patch):

@@ -7,6 +7,7 @@ from functools import partial
 
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import parameters, places, shared_knots
 from ..shape.definition import CURVES
 from . import verbs
@@ -70,7 +71,7 @@ def along(axes, make):
             except (Refusal, sc.Error) as error:
                 if len(axes) == 1:
                     raise
-                raise type(error)(f"along {axis}: {error}") from error
+                raise type(error)(phrase("along {axis}: {error}", axis=axis, error=error)) from error
             errors.append(error)
         return parts if len(parts) > 1 else verbs.Near(parts[0], _total(errors, patch, parts[0].value))
     return verb

@@ -14,6 +14,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..shape import parameters, places, sewing
 from ..shape.traced import Near, Traced, bare
@@ -115,7 +116,8 @@ def require_piece(pieces, number, least=1):
     """Raises Refusal unless there is a piece of this number, counted from 1."""
     count = len(pieces)
     if not least <= number <= count:
-        raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {number}")
+        raise Refusal("the shape has {count} pieces, there is none of number {number}",
+                      "the shape has {count} piece, there is none of number {number}", count=count, number=number)
 
 
 def _done(verb, value, i, count):
@@ -125,7 +127,7 @@ def _done(verb, value, i, count):
     except (Refusal, sc.Error) as error:
         if count == 1:
             raise
-        raise type(error)(f"piece {i + 1}: {error}") from error
+        raise type(error)(phrase("piece {i}: {error}", i=i + 1, error=error)) from error
     if isinstance(result, Near):
         return [result.value], result.error
     return (result, 0.0) if isinstance(result, list) else ([result], 0.0)
@@ -190,8 +192,8 @@ def lower_degree(times, tolerance):
             # Its own error adds up those of all steps.
             result = Near(result.value, curve.to_nurbs().largest_distance(result.value.to_nurbs()))
         if tolerance is not None and result.error > tolerance:
-            raise Refusal(f"the degree cannot be lowered within {decimals.text_of(tolerance)}: "
-                             f"the error would be {decimals.text_of(result.error)}")
+            raise Refusal("the degree cannot be lowered within {tolerance}: the error would be {error}",
+                          tolerance=decimals.text_of(tolerance), error=decimals.text_of(result.error))
         return result
     return verb
 

@@ -7,6 +7,7 @@ from bpy.props import EnumProperty
 
 from ...bridge.data import store, tessellate
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from . import polls, reports
 
 FOLDER = Path(__file__).resolve().parents[2] / "samples"
@@ -43,7 +44,9 @@ class SPLINEWRIGHT_OT_add_sample(bpy.types.Operator):
             if ob.type == 'MESH' and store.has_definition(ob.data):
                 ob.data.splinewright.mode = tessellate.AUTOMATIC
         _look_at_all(context)
-        return reports.finished(self, reports.Report(f"Added the scene {scene.name}: Tab on a curve edits it, and the surfaces follow"))
+        return reports.finished(self, reports.Report(phrase("Added the scene {name}: Tab on a curve edits it, and the surfaces "
+                                                            "follow",
+                                                            name=scene.name)))
 
 
 def _appended(path, label):
@@ -75,7 +78,7 @@ class SPLINEWRIGHT_OT_add_asset_library(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if _is_library(context):
-            cls.poll_message_set("The samples are in the asset browser: library Splinewright")
+            cls.poll_message_set(say("The samples are in the asset browser: library Splinewright"))
             return False
         return True
 

@@ -6,6 +6,7 @@ from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import say
 from ...core.shape import starters
 from .. import progress
 from . import new_shapes, reports
@@ -14,12 +15,12 @@ from . import new_shapes, reports
 def can_add(cls, context):
     """poll() of operators that add shapes."""
     if context.mode != 'OBJECT':
-        cls.poll_message_set("Leave Edit Mode first: a shape is a separate object")
+        cls.poll_message_set(say("Leave Edit Mode first: a shape is a separate object"))
         return False
     try:
         require_place(context)
     except Refusal as error:
-        cls.poll_message_set(sentence(error))
+        cls.poll_message_set(say(sentence(error)))
         return False
     return True
 

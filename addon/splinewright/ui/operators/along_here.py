@@ -11,6 +11,7 @@ from ...bridge.net import live
 from ...bridge.recipes import recipes
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import phrase, say
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -23,9 +24,9 @@ class _Changes(Sideways):
     def poll(cls, context):
         nets = [ob for ob in editing.nets_in_edit_mode(context) if ob.type == 'CURVE']
         if not nets:
-            cls.poll_message_set("Edit the net of a Splinewright curve first")
+            cls.poll_message_set(say("Edit the net of a Splinewright curve first"))
         elif not any(map(_can_change, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return any(map(_can_change, nets))
 
     def nets(self, context):
@@ -71,7 +72,8 @@ class _Changes(Sideways):
         for gesture in self._gestures:
             live.end_along(gesture)
         count = sum(gesture.count for gesture in self._gestures)
-        return reports.finished(self, reports.Report(f"{self.text('')} of {count} points" if count > 1 else self.text("")))
+        return reports.finished(self, reports.Report(phrase("{text} of {count} points",
+                                                            text=self.text(''), count=count) if count > 1 else self.text("")))
 
     def put_back(self):
         for gesture in self._gestures:
@@ -106,7 +108,7 @@ class SPLINEWRIGHT_OT_radius_here(_Changes, bpy.types.Operator):
         return self.factor == 1.0
 
     def text(self, typed):
-        return f"Radius × {typed or f'{self.factor:.4g}'}"
+        return phrase("Radius × {number}", number=typed or f"{self.factor:.4g}")
 
 
 class SPLINEWRIGHT_OT_tilt_here(_Changes, bpy.types.Operator):
@@ -135,7 +137,7 @@ class SPLINEWRIGHT_OT_tilt_here(_Changes, bpy.types.Operator):
         return self.angle == 0.0
 
     def text(self, typed):
-        return f"Tilt {typed or f'{math.degrees(self.angle):.4g}'}°"
+        return phrase("Tilt {number}°", number=typed or f"{math.degrees(self.angle):.4g}")
 
 
 def _can_change(ob):

@@ -4,6 +4,7 @@ import bpy
 
 from ...bridge.edit import replace_pieces
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import patch_join, polls, reports
@@ -77,11 +78,11 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     @property
     def hint(self):
         which = "the edge to join it to" if self._picked else "the first of two edges"
-        return f"Click {which}   |   Esc, Right Mouse: Cancel"
+        return phrase("Click {which}   |   Esc, Right Mouse: Cancel", which=which)
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "Select one or two patch shapes")
 
     def pieces(self, context, picked):
         found = patches_of({ob.name: ob for ob in (context.object, *context.selected_objects)}.values())
@@ -106,7 +107,7 @@ class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
-            cls.poll_message_set("Select a patch shape in Object Mode")
+            cls.poll_message_set(say("Select a patch shape in Object Mode"))
             return False
         return True
 

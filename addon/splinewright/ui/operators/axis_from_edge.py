@@ -8,6 +8,7 @@ from ...bridge.follow import follow
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from .. import edge_picking
 from ..ui_state import ui_state
 from . import polls, reports
@@ -35,7 +36,7 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
             return False
         ob = context.object
         if not shape.has_shape(ob) or ob.data.library or recipes.kind(ob.data) != 'revolve':
-            cls.poll_message_set("Select a shape that Revolve made")
+            cls.poll_message_set(say("Select a shape that Revolve made"))
             return False
         return True
 
@@ -65,8 +66,9 @@ class SPLINEWRIGHT_OT_axis_from_edge(Pointing, bpy.types.Operator):
             if axis is not None:
                 bpy.data.objects.remove(axis)
             return reports.failed(self, error, ob.name)
-        beside = f" beside {self.parent}" if self.parent else ""
-        return reports.finished(self, reports.Report(f"{ob.name} turns about {axis.name}{beside}"))
+        beside = phrase(" beside {parent}", parent=self.parent) if self.parent else ""
+        return reports.finished(self, reports.Report(phrase("{name} turns about {axis_name}{beside}",
+                                                            name=ob.name, axis_name=axis.name, beside=beside)))
 
 
 def _put_axis(context, ob, start, end, parent):
@@ -76,7 +78,7 @@ def _put_axis(context, ob, start, end, parent):
         raise Refusal("the edge has no length: it shows no direction")
     holder = context.scene.objects.get(parent) if parent else None
     if parent and holder is None:
-        raise Refusal(f"there is no object named {parent} in this scene")
+        raise Refusal("there is no object named {parent} in this scene", parent=parent)
     axis = bpy.data.objects.new(f"{ob.name} Axis", None)
     axis.empty_display_type, axis.empty_display_size = 'SINGLE_ARROW', along.length
     for collection in ob.users_collection:

@@ -6,6 +6,7 @@ from bpy.props import IntProperty
 from ...bridge.edit import baking
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from .. import progress
 from . import polls, reports
 from .long_work import AtWork
@@ -33,7 +34,7 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not any(map(shape.has_shape, context.selected_objects)):
-            cls.poll_message_set("Select Splinewright shapes that move")
+            cls.poll_message_set(say("Select Splinewright shapes that move"))
             return False
         return True
 
@@ -55,7 +56,7 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
             return reports.failed(self, error)
         self._done = 0
         context.window_manager.progress_begin(0, count)
-        context.workspace.status_text_set(f"Baking {count} frames: Esc stops it")
+        context.workspace.status_text_set(say(phrase("Baking {count} frames: Esc stops it", count=count)))
         return self.begin_modal(context)
 
     def work_on(self, context):
@@ -100,15 +101,16 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
             if take.moves:
                 baking.bake(data, take)
         still = [data.name for data, take in takes.items() if not take.moves]
-        words = (f"{_listed(still)} {'does' if len(still) == 1 else 'do'} not change",) if still else ()
+        words = (phrase("{names} do not change" if len(still) > 1 else "{names} does not change", names=_listed(still)),) if still else ()
         if not baked:
             return reports.cancelled(self, *words)
-        done = f"Baked {_listed(baked)} from frame {self.frame_start} to {self.frame_end}"
+        done = phrase("Baked {baked} from frame {frame_start} to {frame_end}",
+                      baked=_listed(baked), frame_start=self.frame_start, frame_end=self.frame_end)
         return reports.finished(self, reports.Report(done, words))
 
 
 def _listed(names):
-    return names[0] if len(names) == 1 else f"{len(names)} shapes"
+    return names[0] if len(names) == 1 else phrase("{count} shapes", count=len(names))
 
 
 def _gone_through(steps, step):
@@ -128,7 +130,7 @@ class SPLINEWRIGHT_OT_unbake(OnSelected, bpy.types.Operator):
     bl_label = "Remove Baked Animation"
     bl_description = "Restore the shapes that were baked: they follow again, and can be edited"
     needs = "Select a shape that was baked"
-    done = "{} is live again"
+    done = "{what} is live again"
 
     @staticmethod
     def fits(ob):

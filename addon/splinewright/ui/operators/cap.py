@@ -7,6 +7,7 @@ from ...bridge.edit import replace_pieces
 from ...bridge.net import keyed
 from ...bridge.recipes import recipes
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.recipes import capping
 from ...core.surfaces import caps
 from . import reports
@@ -19,7 +20,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
     bl_description = ("Close open ends of surfaces with patches that share their points; normals of a closed body point "
                       "outward")
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    needs, done = "Select a shape of patches", "Capped {}"
+    needs, done = "Select a shape of patches", "Capped {what}"
     fits = staticmethod(replace_pieces.is_patch_shape)
     has_settings = True
 
@@ -56,7 +57,7 @@ class SPLINEWRIGHT_OT_cap(OnSelected, bpy.types.Operator):
         more = []
         if found:
             count = sum(one.count for one in found)
-            more.append(f"{count} end{'s' if count > 1 else ''} closed")
+            more.append(phrase("{count} ends closed", one="{count} end closed", count=count))
             bend = max(one.bend for one in found)
             more += capping.bend_in_words(bend)
             more += ["normals turned outwards"] if any(one.is_turned for one in found) else []

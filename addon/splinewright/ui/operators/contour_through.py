@@ -2,6 +2,7 @@
 
 import bpy
 
+from ...core.base.words import say
 from ...core.recipes.table import RECIPES
 from .. import recipe_props
 from . import new_shapes
@@ -29,7 +30,7 @@ class SPLINEWRIGHT_OT_contour_through_points(CurvesFromPoints, bpy.types.Operato
     def can_take_objects(cls, context):
         if are_strokes_there(context):
             return True
-        cls.poll_message_set(_FEW)
+        cls.poll_message_set(say(_FEW))
         return False
 
     def lines_of_objects(self, context):

@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase
 from ...core.meets import meeting
 from ...core.verbs import verbs
 from .. import active_shape
@@ -53,7 +54,7 @@ class SPLINEWRIGHT_OT_fillet_corners(_Corners, bpy.types.Operator):
     bl_idname = "splinewright.fillet_corners"
     bl_label = "Fillet Corners"
     bl_description = "Replace each corner of a curve by a tangent arc of a circle"
-    done = "Filleted corners of {}"
+    done = "Filleted corners of {what}"
 
     size: length_property("Radius", "Of the arcs")
 
@@ -65,7 +66,7 @@ class SPLINEWRIGHT_OT_chamfer_corners(_Corners, bpy.types.Operator):
     bl_idname = "splinewright.chamfer_corners"
     bl_label = "Chamfer Corners"
     bl_description = "Put a segment in place of each corner of a curve"
-    done = "Chamfered corners of {}"
+    done = "Chamfered corners of {what}"
 
     size: length_property("Length", "From each corner along the curve")
 
@@ -97,7 +98,7 @@ class _Between:
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "Select one or two curve shapes")
 
     def invoke(self, context, event):
         active_shape.begin_pair(self, context)
@@ -119,7 +120,7 @@ class _Between:
             return self.execute(context)
         active_shape.keep(ob.data, outcome[1].parents)
         active_shape.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Report(self.done.format(ob.name) + pieces.told([outcome])))
+        return reports.finished(self, reports.Report(phrase("{done}{told}", done=phrase(self.done, what=ob.name), told=pieces.told([outcome]))))
 
     def _suggest(self, ob):
         """Begin with a share of the size; whether that is known."""
@@ -157,7 +158,7 @@ class SPLINEWRIGHT_OT_fillet_curves(_Between, bpy.types.Operator):
     bl_idname = "splinewright.fillet_curves"
     bl_label = "Fillet Two Curves"
     bl_description = "Fillet two curves of one plane with an arc, and trim or extend them to it"
-    done = "Filleted curves of {}"
+    done = "Filleted curves of {what}"
     sizes = ('radius',)
 
     radius: length_property("Radius", "Of the arc")
@@ -170,7 +171,7 @@ class SPLINEWRIGHT_OT_chamfer_curves(_Between, bpy.types.Operator):
     bl_idname = "splinewright.chamfer_curves"
     bl_label = "Chamfer Two Curves"
     bl_description = "Chamfer two curves with a segment, by two lengths from where they or their tangents meet"
-    done = "Chamfered curves of {}"
+    done = "Chamfered curves of {what}"
     sizes = ('first_length', 'second_length')
 
     first_length: length_property("First Length", "Along the first curve", 0.0)

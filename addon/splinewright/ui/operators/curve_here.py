@@ -9,6 +9,7 @@ from ...bridge.edit import replace_pieces
 from ...bridge.follow import neighboring_curves
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.meets import meeting
 from .. import active_shape, aim_overlay, picking
 from ..ui_state import ui_state
@@ -36,7 +37,7 @@ class _OnCurve(ByClick):
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replace_pieces.is_curve_shape, context.selected_objects)):
-            cls.poll_message_set("Select a curve shape in Object Mode")
+            cls.poll_message_set(say("Select a curve shape in Object Mode"))
             return False
         return super().poll(context)
 
@@ -136,7 +137,7 @@ class _PicksCurves(Pointing):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "Select one or two curve shapes")
 
     @staticmethod
     def operator():
@@ -146,7 +147,7 @@ class _PicksCurves(Pointing):
     @property
     def hint(self):
         which = "the second curve" if self._picked else "the first of two curves"
-        return f"Click {which} on the part to keep   |   Esc, Right Mouse: Cancel"
+        return phrase("Click {which} on the part to keep   |   Esc, Right Mouse: Cancel", which=which)
 
     def invoke(self, context, event):
         self._picked = []

@@ -6,6 +6,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.data import store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.joints import joints
 from .. import active_shape, scene_tolerance
 from . import polls, reports
@@ -31,7 +32,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "curve")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_curve_shape, "Select one or two curve shapes")
 
     def invoke(self, context, event):
         active_shape.begin_pair(self, context)
@@ -46,7 +47,7 @@ class SPLINEWRIGHT_OT_join_ends(bpy.types.Operator):
             return reports.failed(self, error, ob.name)
         active_shape.keep(ob.data, outcome[1].parents)
         active_shape.note_pair(self, ob, outcome[1].parents, parted)
-        return reports.finished(self, reports.Report(f"Joined ends of {ob.name}" + told([outcome])))
+        return reports.finished(self, reports.Report(phrase("Joined ends of {name}", name=ob.name) + told([outcome])))
 
     def _joined(self, ob, others):
         """(the definition before, the verbs.Changed)."""
@@ -66,7 +67,7 @@ class SPLINEWRIGHT_OT_join_pieces(UpToTolerance, bpy.types.Operator):
     bl_label = "Join Pieces"
     bl_description = "Join pieces of a curve shape where their ends meet, and remove unnecessary knots"
     bl_options = {'REGISTER', 'UNDO'}
-    needs, done = "Select a curve shape", "Joined pieces of {}"
+    needs, done = "Select a curve shape", "Joined pieces of {what}"
     fits = staticmethod(replace_pieces.is_curve_shape)
 
     tolerance: scene_tolerance_property("How far apart ends may lie, and how far the curve may move")
@@ -97,7 +98,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
             return False
         chosen = context.selected_objects
         if context.object not in chosen or len(chosen) < 2 or not all(map(replace_pieces.is_curve_shape, chosen)):
-            cls.poll_message_set("Select two curve shapes or more, the one to keep last")
+            cls.poll_message_set(say("Select two curve shapes or more, the one to keep last"))
             return False
         return True
 
@@ -110,7 +111,7 @@ class SPLINEWRIGHT_OT_join_curves(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         active_shape.keep(ob.data, outcome[1].parents)
-        return reports.finished(self, reports.Report(f"Joined curves into {ob.name}" + told([outcome])))
+        return reports.finished(self, reports.Report(phrase("Joined curves into {name}", name=ob.name) + told([outcome])))
 
     def draw(self, context):
         self.layout.use_property_split = True

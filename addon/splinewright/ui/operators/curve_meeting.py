@@ -62,7 +62,7 @@ class SPLINEWRIGHT_OT_extend_curve(_Meeting, bpy.types.Operator):
     bl_idname = "splinewright.extend_curve"
     bl_label = "Extend"
     bl_description = "Extend curves at their ends: by a length, or up to where they meet another curve; the curve itself stays"
-    done = "Extended {}"
+    done = "Extended {what}"
 
     to: EnumProperty(name="Up To", items=(
         ('LENGTH', "Length", "So much longer"), ('CURVES', "Curves", "To where it first meets another curve")))
@@ -89,7 +89,7 @@ class SPLINEWRIGHT_OT_trim_curve(pieces.FromActive, _Meeting, bpy.types.Operator
     bl_idname = "splinewright.trim_curve"
     bl_label = "Trim"
     bl_description = "Remove the part of a curve around a parameter, up to where it meets other curves"
-    done = "Trimmed {}"
+    done = "Trimmed {what}"
     asked = ('parameter',)
 
     parameter: parameter_property("Parameter", "Parameter u on the part that goes")
@@ -109,7 +109,7 @@ class SPLINEWRIGHT_OT_split_where_met(_Meeting, bpy.types.Operator):
     bl_idname = "splinewright.split_where_met"
     bl_label = "Split at Intersections"
     bl_description = "Cut curves into pieces where they meet each other, themselves or other curves; the shape stays"
-    done, already = "Split {}", "it meets nothing"
+    done, already = "Split {what}", "it meets nothing"
 
     def meeting_verb(self, others):
         return partial(meeting.split_where_met, others)

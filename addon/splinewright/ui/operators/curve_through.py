@@ -9,6 +9,7 @@ from bpy.props import BoolProperty
 from ...bridge.edit import grease_pencil
 from ...bridge.follow import follow
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase, say
 from ...core.recipes.table import RECIPES, THROUGH_OBJECTS
 from .. import recipe_props
 from . import new_shapes
@@ -39,12 +40,12 @@ class SPLINEWRIGHT_OT_curve_through_points(CurvesFromPoints, bpy.types.Operator)
     def can_take_objects(cls, context):
         if len(context.selected_objects) > 1 or _takes_strokes(context) and are_strokes_there(context):
             return True
-        cls.poll_message_set(_FEW)
+        cls.poll_message_set(say(_FEW))
         return False
 
     def warnings(self, new):
         degree = min(ob.data.splinewright.value.degree for ob in new)
-        return (f"the degree is {degree}: there are no points for more",) if degree < self.degree else ()
+        return (phrase("the degree is {degree}: there are no points for more", degree=degree),) if degree < self.degree else ()
 
     def lines_of_objects(self, context):
         return lines_of_strokes(context, _FEW)

@@ -10,6 +10,7 @@ from ...bridge.edit import replace_pieces
 from ...core.analysis import measured
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.verbs import dividing
 from .. import progress
 from . import reports
@@ -50,7 +51,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or _is_curve(context.object):
             return True
-        cls.poll_message_set("Make a curve shape active")
+        cls.poll_message_set(say("Make a curve shape active"))
         return False
 
     def invoke(self, context, event):
@@ -97,13 +98,13 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
                 for curve in curves])
             if not len(found):
                 raise Refusal("there is no place between the ends")
-            return found, f"{len(found)} places" + _said_of_parts(curves, wanted)
+            return found, phrase("{count} places", count=len(found)) + _said_of_parts(curves, wanted)
         return places
 
     def _require_few(self, count):
         """Raises Refusal where these are too many objects."""
         if self.make != 'POINTS' and count > _MOST_OBJECTS:
-            raise Refusal(f"that makes too many objects: at most {_MOST_OBJECTS} are allowed")
+            raise Refusal("that makes too many objects: at most {most_objects} are allowed", most_objects=_MOST_OBJECTS)
 
     def _source(self):
         """The object that is copied, or None. Raises Refusal, also where more objects than are allowed are certain."""
@@ -151,7 +152,7 @@ def _is_curve(ob):
 def _said_of_parts(curves, wanted):
     if 'count' not in wanted or len(curves) > 1:
         return ""
-    return f", parts of {decimals.text_of(curves[0].length(tolerance=1e-6) / wanted['count'], 4)}"
+    return phrase(", parts of {length}", length=decimals.text_of(curves[0].length(tolerance=1e-06) / wanted['count'], 4))
 
 
 def _points(name, origin, points):

@@ -11,6 +11,7 @@ from mathutils import Vector
 from ...bridge.shape import recipe_edit, shape
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.drawing import contours, guides
 from ...core.recipes.table import RECIPES
 from .. import drawing_marks, picking, snapping, weight_overlay
@@ -191,13 +192,14 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         ui_state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
                           if view and words else None)
         kind = "tangent arc" if self._kind == contours.ARC else "segment"
-        keys = [f"Click: {kind}", "A: segment, arc",
-                f"S: marks of curves {'off' if self._marks.are_on else 'on'}"]
+        keys = [phrase("Click: {kind}", kind=kind), "A: segment, arc",
+                "S: marks of curves off" if self._marks.are_on else "S: marks of curves on"]
         if self._drawn.points:
             typed, other = ("angle", "length") if self._types_angle else ("length", "angle")
-            keys += ["Ctrl: steps of 15°", f"Numbers: {typed}", f"Tab: {other}", "Backspace: one back", "Enter: done",
+            keys += ["Ctrl: steps of 15°", phrase("Numbers: {typed}", typed=typed), phrase("Tab: {other}",
+                                                                       other=other), "Backspace: one back", "Enter: done",
                      "C, first point: close"]
-        context.workspace.status_text_set("   |   ".join([*keys, "Esc, Right Mouse: cancel"]))
+        context.workspace.status_text_set(say("   |   ".join([*keys, "Esc, Right Mouse: cancel"])))
         redraw()
 
     def _measures(self):
@@ -210,7 +212,7 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         numbers = [decimals.text_of(np.linalg.norm(away), 4), f"{decimals.text_of(angle, 4)}°"]
         if self._typed.digits:
             numbers[self._types_angle] = f"[{self._typed}{'°' if self._types_angle else ''}]"
-        return f"Length {numbers[0]}   Angle {numbers[1]}"
+        return phrase("Length {length}   Angle {angle}", length=numbers[0], angle=numbers[1])
 
     def _end(self, context, closed=False):
         drawn = self._drawn._replace(closed=closed, closing=self._kind if closed else contours.SEGMENT)

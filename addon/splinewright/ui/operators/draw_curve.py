@@ -9,6 +9,7 @@ from mathutils import Vector
 from ...bridge.recipes import parameters, recipes
 from ...bridge.shape import recipe_edit
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import say
 from ...core.recipes.table import RECIPES
 from ...core.shape import polylines
 from .. import picking, recipe_props
@@ -96,8 +97,9 @@ class _Pen(Gesture):
         return {**{name: parameter.default for name, parameter in _PARAMETERS.items()}, **given}
 
     def _hint(self, context):
-        context.workspace.status_text_set("Left mouse: press, drag and release to draw; S: on surface "
-                                          f"({'on' if self._on_surface else 'off'}); Esc or right mouse: cancel")
+        context.workspace.status_text_set(say(
+            "Left mouse: press, drag and release to draw; S: on surface (on); Esc or right mouse: cancel" if self._on_surface else
+            "Left mouse: press, drag and release to draw; S: on surface (off); Esc or right mouse: cancel"))
 
     def _wait(self, context, event):
         """step() until the stroke begins."""

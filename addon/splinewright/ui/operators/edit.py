@@ -5,6 +5,7 @@ import bpy
 from ...bridge.cage import net_object
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from .. import active_shape, editing, messages, progress, texts
 from . import polls, reports
 
@@ -21,7 +22,7 @@ class SPLINEWRIGHT_OT_edit_net(bpy.types.Operator):
             return False
         reason = editing.why_not(active_shape.shape_of(context.object))
         if reason:
-            cls.poll_message_set(reason)
+            cls.poll_message_set(say(reason))
         return not reason
 
     def execute(self, context):
@@ -42,7 +43,7 @@ class _OnNets:
     @classmethod
     def poll(cls, context):
         if not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("No net is being edited")
+            cls.poll_message_set(say("No net is being edited"))
             return False
         return True
 
@@ -60,7 +61,7 @@ class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self, width=460, **_names("Finish Editing", "Leave"))
 
     def draw(self, context):
-        texts.draw_problem(self.layout, f"The net cannot be read: {self._lost}", width=70)
+        texts.draw_problem(self.layout, phrase("The net cannot be read: {lost}", lost=self._lost), width=70)
         self.layout.label(text="Leave without the last changes?")
 
     def execute(self, context):
@@ -69,7 +70,7 @@ class SPLINEWRIGHT_OT_leave_net(_OnNets, bpy.types.Operator):
             lost = editing.leave(context, step)
         messages.refresh()
         is_news = lost and not getattr(self, '_lost', "")
-        warnings = (f"The last state of the net was not taken: {lost}",) if is_news else ()
+        warnings = (phrase("The last state of the net was not taken: {lost}", lost=lost),) if is_news else ()
         return reports.finished(self, reports.Report(warnings=warnings))
 
 

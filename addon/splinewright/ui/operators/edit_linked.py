@@ -3,6 +3,7 @@
 import bpy
 
 from ...bridge.shape import shape
+from ...core.base.words import phrase, say
 from . import polls, reports
 
 
@@ -17,12 +18,12 @@ class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not shape.has_shape(context.object) or not shape.file_of(context.object):
-            cls.poll_message_set("Select a shape that is linked from another file")
+            cls.poll_message_set(say("Select a shape that is linked from another file"))
             return False
         return True
 
     def invoke(self, context, event):
-        context.window_manager.popup_menu(_draw, title=told(context.object), icon='LIBRARY_DATA_DIRECT')
+        context.window_manager.popup_menu(_draw, title=say(told(context.object)), icon='LIBRARY_DATA_DIRECT')
         return {'CANCELLED'}
 
     def execute(self, context):
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_OT_edit_linked(bpy.types.Operator):
 
 
 def told(ob):
-    return f"{ob.name} is linked from {shape.file_of(ob)}: make it local to edit it here"
+    return phrase("{name} is linked from {file}: make it local to edit it here", name=ob.name, file=shape.file_of(ob))
 
 
 def _draw(self, context):

@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from .. import editing, texts
 from . import polls, reports
 
@@ -35,14 +36,14 @@ class SPLINEWRIGHT_OT_edit_source(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not _shape_without_net(context.object):
-            cls.poll_message_set("Select a shape that follows another object")
+            cls.poll_message_set(say("Select a shape that follows another object"))
             return False
         return True
 
     def invoke(self, context, event):
         if self.source or len(_sources(context.object)) == 1 or _places(context.object):
             return self.execute(context)
-        context.window_manager.popup_menu(_draw_choice, title=_title(context.object), icon='QUESTION')
+        context.window_manager.popup_menu(_draw_choice, title=say(_title(context.object)), icon='QUESTION')
         return {'CANCELLED'}
 
     def execute(self, context):
@@ -64,13 +65,15 @@ def _places(ob):
 
 
 def _title(ob):
-    return f"{ob.name} is made from {len(_sources(ob))} objects" if _sources(ob) else f"{ob.name} is made by its numbers"
+    return phrase("{name} is made from {count} objects",
+                  name=ob.name, count=len(_sources(ob))) if _sources(ob) else phrase("{name} is made by its numbers",
+                                                                                             name=ob.name)
 
 
 def _draw_choice(menu, context):
     layout = menu.layout
     for source in _sources(context.object):
-        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=f"Edit {source.name}", icon='EDITMODE_HLT').source = source.name
+        layout.operator(SPLINEWRIGHT_OT_edit_source.bl_idname, text=say(phrase("Edit {name}", name=source.name)), icon='EDITMODE_HLT').source = source.name
     if not _sources(context.object):
         texts.draw_note(layout, "Change them in the sidebar, or end that and edit its points", 60)
     layout.operator("splinewright.make_editable")
@@ -91,7 +94,7 @@ def _chosen(context, name):
     if not _sources(context.object):
         raise Refusal("it is made by its numbers: change them in the panel, or use Apply Construction first")
     if len(sources) != 1:
-        raise Refusal("choose one of the objects it is made from" if sources else f"it is not made from {name}")
+        raise Refusal("choose one of the objects it is made from" if sources else phrase("it is not made from {name}", name=name))
     return sources[0]
 
 
@@ -104,16 +107,16 @@ def _edit(context, ob):
     if context.view_layer.objects.get(ob.name) == ob and ob.hide_get():
         ob.hide_set(False)
     if context.view_layer.objects.get(ob.name) != ob or not ob.visible_get():
-        raise Refusal(f"{ob.name} is hidden, or not in this view layer: show it to edit it")
+        raise Refusal("{name} is hidden, or not in this view layer: show it to edit it", name=ob.name)
     if shape.has_shape(ob):
         reason = editing.why_not(ob)
         if reason:
-            raise Refusal(f"{ob.name}: {reason}")
+            raise Refusal("{name}: {reason}", name=ob.name, reason=reason)
         _select(context, ob)
         editing.enter(context, ob)
         return
     if ob.library or ob.data.library:
-        raise Refusal(f"{ob.name} is linked from another file: make it local first")
+        raise Refusal("{name} is linked from another file: make it local first", name=ob.name)
     _select(context, ob)
     bpy.ops.object.mode_set(mode='EDIT')
 
@@ -140,7 +143,7 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not editing.is_in_result(context):
-            cls.poll_message_set("No mesh or curve of a shape is being edited")
+            cls.poll_message_set(say("No mesh or curve of a shape is being edited"))
             return False
         return True
 

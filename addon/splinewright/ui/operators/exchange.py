@@ -13,6 +13,7 @@ from ...bridge.shape import shape
 from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal, sentence
 from ...core.base.library import sc
+from ...core.base.words import phrase, say
 from ...core.shape import definition as definitions
 from ...core.shape import transform
 from ...core.shape.definition import ANY_CURVES
@@ -95,8 +96,9 @@ class _Import(ImportHelper):
             return reports.cancelled(self, *reasons)
         _link(context, made)
         done = len(paths) - len(failed)
-        what = made[0][0] if len(made) == 1 else f"{len(made)} objects" + (f" of {done} files" if done > 1 else "")
-        return reports.finished(self, reports.Report(f"Imported {what}", warnings=reasons))
+        what = made[0][0] if len(made) == 1 else phrase("{count} objects",
+                                                        count=len(made)) + (phrase(" of {count} files", count=done) if done > 1 else "")
+        return reports.finished(self, reports.Report(phrase("Imported {what}", what=what), warnings=reasons))
 
     def _paths(self):
         """The files that were chosen or dropped, or the one that a script names."""
@@ -142,7 +144,7 @@ class _Export(ExportHelper):
     @classmethod
     def poll(cls, context):
         if not _exported(context):
-            cls.poll_message_set("Select a Splinewright shape")
+            cls.poll_message_set(say("Select a Splinewright shape"))
             return False
         return True
 
@@ -162,7 +164,7 @@ class _Export(ExportHelper):
             text = _printable(sentence(error))
             return reports.cancelled(self, reports.named(name, text) if name else text)
         count = len(chosen) - len(left_out)
-        what = f"Exported {count} objects to" if count > 1 else "Exported"
+        what = phrase("Exported {count} objects to", count=count) if count > 1 else "Exported"
         changed = {ob.name: _CHANGED for ob in chosen if ob.name not in left_out and shape.is_touched(ob.data)}
         warnings = reports.by_name({**left_out, **changed})
         return reports.finished(self, reports.Report(f"{what} {_printable(path.name)}", warnings=warnings))
@@ -234,7 +236,7 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
             value = value.flipped() if isinstance(value, sc.PatchSet) else value.swapped()
         patches = [value[i] for i in range(len(value))] if isinstance(value, sc.PatchSet) else [value]
         if any(patch.is_rational for patch in patches):
-            raise Refusal(f"{name}: it is rational, and BPT holds no weights: export it as JSON")
+            raise Refusal("{name}: it is rational, and BPT holds no weights: export it as JSON", name=name)
         return patches
 
 

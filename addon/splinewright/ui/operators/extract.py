@@ -4,6 +4,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ...bridge.edit import extracting
+from ...core.base.words import phrase
 from ...core.verbs import patch_curves
 from . import reports
 from .adding import Repeatable, can_add
@@ -45,14 +46,15 @@ class _Extract(Repeatable, OnPatches):
 
     def said(self, outcomes):
         left_out = [text for texts in outcomes.values() for text in texts]
-        return reports.Report(self.summary(outcomes), (f"left out: {', '.join(left_out)}",) if left_out else ())
+        return reports.Report(self.summary(outcomes), (phrase("left out: {left_out}",
+                                                              left_out=', '.join(left_out)),) if left_out else ())
 
 
 class SPLINEWRIGHT_OT_extract_isocurve(AtParameters, _Extract, bpy.types.Operator):
     bl_idname = "splinewright.extract_isocurve"
     bl_label = "Extract Isocurve"
     bl_description = "Add the exact curve on a patch along which u or v is constant, as a new shape"
-    done = "Extracted an isocurve of {}"
+    done = "Extracted an isocurve of {what}"
 
     direction: direction_property("The curve at one u", "The curve at one v", "Both curves through one point")
 
@@ -70,7 +72,7 @@ class SPLINEWRIGHT_OT_extract_boundary(_Extract, bpy.types.Operator):
     bl_idname = "splinewright.extract_boundary"
     bl_label = "Extract Boundary"
     bl_description = "Add the sides of a patch as exact curves in a new shape, except sides that are points"
-    done = "Extracted the boundary of {}"
+    done = "Extracted the boundary of {what}"
 
     side: EnumProperty(name="Side", items=(
         ('ALL', "All Four", "Every side, a piece each"), ('U_START', "U Start", "Where u starts"),

@@ -9,6 +9,7 @@ from ...bridge.mesh import mesh_looks
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from .. import active_shape
 from . import reports
 from .pick_piece import draw_number
@@ -36,7 +37,8 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         before, chosen = len(ob.data.polygons), settings.of(ob.data)
         least = chosen.bl_rna.properties['tolerance'].hard_min
         if tolerance < least:
-            raise Refusal(f"it would take a tolerance of {decimals.text_of(tolerance, 2)}, less than the least, {decimals.text_of(least, 1)}")
+            raise Refusal("it would take a tolerance of {tolerance}, less than the least, {least}",
+                          tolerance=decimals.text_of(tolerance, 2), least=decimals.text_of(least, 1))
         was = chosen.mode, chosen.tolerance
         settings.set_tolerance(ob.data, tolerance)
         problem = problems.of(ob.data, problems.SETTING)
@@ -48,16 +50,17 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
 
     def said(self, outcomes):
         if len(outcomes) > 1:
-            return reports.Report(f"{len(outcomes)} objects are shown as the render needs")
+            return reports.Report(phrase("{count} objects are shown as the render needs", count=len(outcomes)))
         (name, (tolerance, before, now)), = outcomes.items()
-        return reports.Report(f"{name}: tolerance {decimals.text_of(tolerance, 2)}, {before:,} faces became {now:,}")
+        return reports.Report(phrase("{name}: tolerance {tolerance}, {before:,} faces became {count:,}",
+                                     name=name, tolerance=decimals.text_of(tolerance, 2), before=before, count=now))
 
 
 class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     bl_idname = "splinewright.set_patch_material"
     bl_label = "Set Patch Material"
     bl_description = "Assign the material of a slot to one patch or to all, also when the faces change"
-    done = "Set the material of {}"
+    done = "Set the material of {what}"
 
     piece: IntProperty(name="Patch", description="Which patch of the shape, counted from 1; 0 for all of them",
                        default=0, min=0, options={'SKIP_SAVE'})
@@ -82,7 +85,7 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     def work(self, context, ob):
         slot = self.slot or ob.active_material_index + 1
         if slot > len(ob.material_slots):
-            raise Refusal(f"it has {len(ob.material_slots)} material slots, there is none of number {slot}")
+            raise Refusal("it has {count} material slots, there is none of number {slot}", count=len(ob.material_slots), slot=slot)
         shape.require_writable(ob.data)
         mesh_looks.set_material(ob.data, self.piece, slot - 1)
 

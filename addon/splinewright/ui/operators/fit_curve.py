@@ -2,6 +2,7 @@
 
 import bpy
 
+from ...core.base.words import say
 from ...core.recipes.table import RECIPES
 from .. import recipe_props
 from . import new_shapes
@@ -31,7 +32,7 @@ class SPLINEWRIGHT_OT_fit_curve(CurvesFromPoints, bpy.types.Operator):
     def can_take_objects(cls, context):
         if are_strokes_there(context):
             return True
-        cls.poll_message_set(cls.needs)
+        cls.poll_message_set(say(cls.needs))
         return False
 
     def lines_of_objects(self, context):

@@ -9,6 +9,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals, vertex_grid
 from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
+from ...core.base.words import say
 from .. import editing, progress
 from . import new_shapes, reports
 from .add_patch import draw_pairs
@@ -31,7 +32,7 @@ class PatchOfVertices(LongWork, new_shapes.Faces, Repeatable):
         if context.mode == 'OBJECT' and cls.has_made(context):
             return True
         if context.mode != 'EDIT_MESH' or editing.nets_in_edit_mode(context):
-            cls.poll_message_set("Select vertices in the Edit Mode of a mesh that is no net")
+            cls.poll_message_set(say("Select vertices in the Edit Mode of a mesh that is no net"))
             return False
         return True
 

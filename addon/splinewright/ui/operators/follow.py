@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, EnumProperty, StringProperty
 from ...bridge.follow import follow, recipe_results
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.recipes.table import FOLLOW
 from . import polls, reports
 from .adding import add_in_front, require_place, resolution_property
@@ -32,7 +33,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not recipe_results.is_possible(context.object):
-            cls.poll_message_set("Select a curve, a surface or a Splinewright shape")
+            cls.poll_message_set(say("Select a curve, a surface or a Splinewright shape"))
             return False
         return True
 
@@ -53,7 +54,8 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         except FAILURES as error:
             return reports.failed(self, error)
         self.source = source.name       # the redo panel shows it
-        return reports.finished(self, reports.Report(f"{target.name} follows {source.name}"))
+        return reports.finished(self, reports.Report(phrase("{name} follows {source_name}",
+                                                            name=target.name, source_name=source.name)))
 
     def draw(self, context):
         layout = self.layout
@@ -68,7 +70,7 @@ class SPLINEWRIGHT_OT_follow_object(bpy.types.Operator):
         if self.source:
             source = context.scene.objects.get(self.source)
             if source is None:
-                raise Refusal(f"there is no object named {self.source} in this scene")
+                raise Refusal("there is no object named {source} in this scene", source=self.source)
             is_target = not self.is_added and shape.has_shape(context.object) and source != context.object
             return (context.object if is_target else None), source
         others = [ob for ob in context.selected_objects if ob != context.object and recipe_results.is_possible(ob)]
@@ -82,7 +84,7 @@ class SPLINEWRIGHT_OT_set_moving(OnFollowers, bpy.types.Operator):
     bl_label = "Set Motion"
     bl_description = "What happens when a shape that is made from other objects is moved, rotated or scaled"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    done = "Set how {} moves"
+    done = "Set how {what} moves"
 
     how: EnumProperty(name="Moves", items=[
         ('FREELY', "Freely", "It moves like any other object, and its inputs stay. It still follows them: what they change shows "

@@ -27,7 +27,7 @@ class SPLINEWRIGHT_OT_rebuild(_Fitted, bpy.types.Operator):
     bl_idname = "splinewright.rebuild"
     bl_label = "Rebuild"
     bl_description = "Replace the shape by the nearest one with a given number of points on even knots, and report the distance"
-    done, already = "Rebuilt {}", "its points and knots are these already"
+    done, already = "Rebuilt {what}", "its points and knots are these already"
     expanded = ('by',)
     of_curves, of_patches = ('by', 'tolerance', 'keep_tangents'), ('count_v', 'degree_v')
 
@@ -58,7 +58,7 @@ class SPLINEWRIGHT_OT_fair(_Fitted, bpy.types.Operator):
     bl_label = "Smooth (Fair)"
     bl_description = ("Move control points so that the shape bends as little as a tolerance allows; borders, knots and "
                       "weights stay")
-    done, already = "Smoothed {}", "no other shape within the tolerance bends less"
+    done, already = "Smoothed {what}", "no other shape within the tolerance bends less"
 
     tolerance: tolerance_property("How far the shape may move", 0.01, least=1e-12)
 
@@ -75,7 +75,7 @@ class SPLINEWRIGHT_OT_to_hermite(OnShapes, bpy.types.Operator):
     bl_label = "Convert to Hermite"
     bl_description = "Make shapes of degree 3 or less Hermite: exactly without weights, conics within a tolerance"
     bl_options = {'REGISTER', 'UNDO'}
-    done, already = "Made {} Hermite", "it is Hermite already"
+    done, already = "Made {what} Hermite", "it is Hermite already"
     has_scene_tolerance, of_curves = True, ('tolerance',)
 
     tolerance: scene_tolerance_property("How far cubics may lie from a conic")
@@ -89,7 +89,7 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
     bl_label = "Project in Perspective"
     bl_description = "Project curves exactly from a point, or the active camera, onto their object's plane z = 0"
     bl_options = {'REGISTER', 'UNDO'}
-    done = "Projected {}"
+    done = "Projected {what}"
 
     eye: FloatVectorProperty(name="Eye", description="Where it is seen from, in the active object's space",
                              default=(0.0, 0.0, 10.0), subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
@@ -111,13 +111,13 @@ class SPLINEWRIGHT_OT_project_curve(OnCurves, bpy.types.Operator):
 _PLAIN = (
     plain(OnShapes, 'to_bezier', "Convert to Bezier",
           "Make every span a Bezier curve or patch, a piece of the same shape; neighbors share their points",
-          "Made {} Bezier", "its pieces are Bezier already",
+          "Made {what} Bezier", "its pieces are Bezier already",
           verb_on=lambda self, is_curve: verbs.to_bezier_chain() if is_curve else patch_verbs.to_bezier()),
     plain(OnShapes, 'to_nurbs', "Convert to NURBS", "Make Bezier and Hermite shapes NURBS; they stay the same",
-          "Made {} NURBS", "it is NURBS already",
+          "Made {what} NURBS", "it is NURBS already",
           verb_on=lambda self, is_curve: verbs.to_nurbs() if is_curve else patch_verbs.to_nurbs()),
     plain(OnCurves, 'standard_form', "Normalize Weights",
           "Change the parameter so that both end weights are 1 (standard form); the curve stays the same",
-          "Normalized the weights of {}", "the end weights are 1 already", verb=lambda self: verbs.standard_form()))
+          "Normalized the weights of {what}", "the end weights are 1 already", verb=lambda self: verbs.standard_form()))
 
 CLASSES = (SPLINEWRIGHT_OT_rebuild, SPLINEWRIGHT_OT_fair, SPLINEWRIGHT_OT_to_hermite, SPLINEWRIGHT_OT_project_curve, *_PLAIN)

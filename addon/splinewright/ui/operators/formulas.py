@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.formulas import formulas, teaching
 from .. import active_shape
 from . import reports
@@ -30,7 +31,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not shape.has_shape(context.object):
-            cls.poll_message_set("Select a Splinewright shape")
+            cls.poll_message_set(say("Select a Splinewright shape"))
             return False
         return True
 
@@ -54,7 +55,7 @@ class SPLINEWRIGHT_OT_write_formulas(bpy.types.Operator):
             return reports.failed(self, error, ob.name)
         text = _text_for(ob)
         text.from_string(written)
-        return reports.finished(self, reports.Report(f"{text.name} is in the Text Editor"))
+        return reports.finished(self, reports.Report(phrase("{name} is in the Text Editor", name=text.name)))
 
 
 def _text_for(ob):

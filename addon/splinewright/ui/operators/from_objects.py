@@ -12,6 +12,7 @@ from ...bridge.follow import follow, recipe_results
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.recipes.table import DERIVED, FOLLOW
 from .. import active_shape, recipe_props, scene_tolerance
 from . import new_shapes, reports
@@ -41,7 +42,8 @@ class _FromObjects(LongWork, Repeatable):
         reason = cls._lacking(sources_of(context, cls.recipe))
         if reason:
             is_text = "curve" in reason and any(ob.type == 'FONT' for ob in context.selected_objects)
-            cls.poll_message_set(f"{reason}: Convert to Splinewright turns a text into curves" if is_text else reason)
+            cls.poll_message_set(say(phrase("{reason}: Convert to Splinewright turns a text into curves",
+                                        reason=reason) if is_text else reason))
         return not reason
 
     @classmethod
@@ -51,7 +53,7 @@ class _FromObjects(LongWork, Repeatable):
         fits = recipe.takes(len(sources)) and all(is_wanted(ob, recipe.wanted_at(i)) for i, ob in enumerate(sources))
         if fits and 'edges' in recipe.defaults and len(sources) == 1 and _has_no_edge(sources[0]):
             return "Select two surfaces that meet, or one with an edge inside it"
-        return "" if fits else f"Select {recipe.wanted}"
+        return "" if fits else phrase("Select {wanted}", wanted=phrase(recipe.wanted))
 
     def invoke(self, context, event):
         if 'piece' in self.recipe.defaults:
@@ -122,7 +124,7 @@ class _FromObjects(LongWork, Repeatable):
             return ()
         frame = context.scene.objects.get(self.frame)
         if frame is None:
-            raise Refusal(f"there is no object named {self.frame} in this scene")
+            raise Refusal("there is no object named {frame} in this scene", frame=self.frame)
         return (frame,)
 
     def _follow(self):
@@ -199,7 +201,7 @@ def _corners(ob):
 
 def _label(recipe):
     """What Undo History shows: a verb."""
-    return recipe.label if recipe.kind in _VERBS else f"Add {recipe.label}"
+    return recipe.label if recipe.kind in _VERBS else phrase("Add {label}", label=phrase(recipe.label))
 
 
 def _class_for(recipe):

@@ -10,6 +10,7 @@ from ...bridge.recipes import recipes
 from ...bridge.shape import recipe_edit, shape
 from ...core.base import vertex_order
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import say
 from ...core.shape import polylines
 from .. import editing, progress, recipe_props
 from . import new_shapes, reports
@@ -30,7 +31,7 @@ class CurvesFromPoints(LongWork, Repeatable):
         if context.mode == 'OBJECT' and cls.has_made(context):
             return True
         if context.mode not in ('OBJECT', 'EDIT_MESH') or editing.nets_in_edit_mode(context):
-            cls.poll_message_set(cls.needs)
+            cls.poll_message_set(say(cls.needs))
             return False
         return context.mode == 'EDIT_MESH' or cls.can_take_objects(context)
 

@@ -9,6 +9,7 @@ from ...bridge.edit import replace_pieces
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.joints import held_joints, patch_joints
 from ...core.joints.held import Held, applied
 from ...core.shape import parameters
@@ -32,7 +33,7 @@ def _knot():
 
 
 class _OnJoint(OnWhatHolds):
-    kind, fits = "curve", staticmethod(replace_pieces.is_curve_shape)
+    wanted, fits = "Select a curve shape, or edit its net", staticmethod(replace_pieces.is_curve_shape)
 
     def sides(self, data):
         """As of a core.joints.held.Held. Raises Refusal where there are none."""
@@ -43,7 +44,8 @@ class _OnJoint(OnWhatHolds):
             return (self.first - 1, self.first_end), (self.second - 1, self.second_end)
         knots = parameters.inner_knots(curves[self.first - 1]).tolist()
         if self.knot > len(knots):
-            raise Refusal(f"piece {self.first} has {len(knots)} knots inside, none of number {self.knot}")
+            raise Refusal("piece {first} has {count} knots inside, none of number {knot}",
+                          first=self.first, count=len(knots), knot=self.knot)
         return ((self.first - 1, knots[self.knot - 1]),) * 2
 
 
@@ -72,7 +74,8 @@ class SPLINEWRIGHT_OT_hold_joint(_OnJoint, bpy.types.Operator):
             shape.set_definition(ob.data, after)
         held.hold(ob.data, joint)
         moved = np.linalg.norm((after.pool - definition.pool)[:, :3], axis=1).max()
-        return f"{self.continuity} holds from now on; " + (f"points moved by up to {decimals.text_of(moved, 2)}" if moved else "nothing moved"), ()
+        return phrase("{continuity} holds from now on; ", continuity=self.continuity) + (phrase("points moved by up to {moved}",
+                                                                  moved=decimals.text_of(moved, 2)) if moved else "nothing moved"), ()
 
     def draw(self, context):
         layout = self.layout

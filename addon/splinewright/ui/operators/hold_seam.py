@@ -6,6 +6,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.data import held, store
 from ...bridge.edit import joining, replace_pieces
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.joints import patch_joints
 from ...core.joints.held import Held, are_one
 from ...core.verbs.patch_curves import SIDE_CHOICES
@@ -27,16 +28,16 @@ def _side():
 class OnWhatHolds:
     """With what joins pieces of the active shape, or of the one whose net is edited, which then comes out again."""
 
-    kind, fits = "patch", staticmethod(replace_pieces.is_patch_shape)
+    wanted, fits = "Select a patch shape, or edit its net", staticmethod(replace_pieces.is_patch_shape)
 
     @classmethod
     def poll(cls, context):
         ob = active_shape.shape_of(context.object)
         if ob is None or not cls.fits(ob):
-            cls.poll_message_set(f"Select a {cls.kind} shape, or edit its net")
+            cls.poll_message_set(say(cls.wanted))
             return False
         if context.mode != 'OBJECT' and not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("Leave the present mode first")
+            cls.poll_message_set(say("Leave the present mode first"))
             return False
         return True
 
@@ -51,7 +52,7 @@ class OnWhatHolds:
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
         warnings = (*warnings, *(editing.anew(context, nets) if nets else ()))
-        return reports.finished(self, reports.Report(f"{ob.name}: {said}", warnings=warnings))
+        return reports.finished(self, reports.Report(phrase("{name}: {said}", name=ob.name, said=said), warnings=warnings))
 
     def sides(self):
         return (self.first - 1, self.first_side), (self.second - 1, self.second_side)
@@ -89,7 +90,7 @@ class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
         choices = (patch_joints.Choice(number + 1, side) for number, side in self.sides())
         found = joining.join_patches(ob, None, *choices, self.continuity, self.moves)
         held.hold(ob.data, seam)
-        return f"{told(found)}; {self.continuity} holds from now on", came_apart(found)
+        return phrase("{found}; {continuity} holds from now on", found=told(found), continuity=self.continuity), came_apart(found)
 
 
 class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):

@@ -8,6 +8,7 @@ from ...bridge.net import live
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import say
 from ...core.shape import infinity
 from .. import editing, net_props
 from . import reports
@@ -27,7 +28,7 @@ class _OnSelectedPoints:
     @classmethod
     def poll(cls, context):
         if not editing.nets_in_edit_mode(context):
-            cls.poll_message_set("Edit the net of a shape first")
+            cls.poll_message_set(say("Edit the net of a shape first"))
             return False
         return True
 

@@ -8,6 +8,7 @@ from ...bridge.follow import follow, recipe_results
 from ...bridge.recipes import parameters, recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import say
 from ...core.surfaces import sections
 from . import polls, reports
 from .from_objects import is_wanted
@@ -37,7 +38,7 @@ class _OnInputs:
         if not polls.in_object_mode(cls, context):
             return False
         if not takes_more(context.object):
-            cls.poll_message_set("Select a surface that is made from any number of curves")
+            cls.poll_message_set(say("Select a surface that is made from any number of curves"))
             return False
         return True
 
@@ -53,7 +54,7 @@ class _OnInputs:
 
     def require(self, inputs):
         if self.index >= len(inputs):
-            raise Refusal(f"it is made from {len(inputs)} objects, there is none of number {self.index + 1}")
+            raise Refusal("it is made from {count} objects, there is none of number {index}", count=len(inputs), index=self.index + 1)
 
 
 class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):
@@ -133,7 +134,7 @@ class _Ordering(_OnInputs):
         if not super().poll(context):
             return False
         if not recipes.of(context.object.data).arranged:
-            cls.poll_message_set("The order of its curves does not count")
+            cls.poll_message_set(say("The order of its curves does not count"))
             return False
         return True
 
@@ -167,7 +168,7 @@ class SPLINEWRIGHT_OT_show_inputs(OnFollowers, bpy.types.Operator):
 
     @property
     def done(self):
-        return "Showed the inputs of {}" if self.how == 'SHOW' else "Hid the inputs of {}"
+        return "Showed the inputs of {what}" if self.how == 'SHOW' else "Hid the inputs of {what}"
 
     def work(self, context, ob):
         for source in recipes.pointers(ob.data):

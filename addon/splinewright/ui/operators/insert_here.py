@@ -6,6 +6,7 @@ from bpy.props import BoolProperty, EnumProperty
 from ...bridge.analysis import surveys
 from ...bridge.edit import replace_pieces
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.verbs import parameter_picking
 from .. import active_shape, aim_overlay, editing, picking
 from ..ui_state import ui_state
@@ -43,9 +44,9 @@ class ByClick(Gesture):
     def poll(cls, context):
         shapes = active_shape.shapes(context)
         if not shapes:
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
         elif not any(map(active_shape.is_free, shapes)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return is_possible(context)
 
     def invoke(self, context, event):
@@ -114,7 +115,7 @@ class ByClick(Gesture):
     def _tell(self, context):
         """In the status bar: why a click did nothing or the current object, and the keys."""
         first = f"{self._why_none}   |   " if self._why_none else meant.works_on(self.meant(context))
-        context.workspace.status_text_set(first + _status(ui_state.aimed, self.thing, self.does))
+        context.workspace.status_text_set(say(first + _status(ui_state.aimed, self.thing, self.does)))
 
 
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
@@ -148,7 +149,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if context.mode != 'OBJECT' or not any(map(replace_pieces.is_patch_shape, context.selected_objects)):
-            cls.poll_message_set("Select a patch shape in Object Mode")
+            cls.poll_message_set(say("Select a patch shape in Object Mode"))
             return False
         return super().poll(context)
 
@@ -205,7 +206,8 @@ def _status(aimed, thing, does):
     names = {'U': "u", 'V': "v", 'BOTH': "uv"}[aimed.direction] if len(aimed.parameters) == 2 else "u"
     numbers = ", ".join(f"{name} = {value:.4g}" for name, value in zip("uv", aimed.parameters) if name in names)
     wheel = "   |   Wheel: along u, v, both" if len(aimed.parameters) == 2 else ""
-    return f"{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel"
+    return phrase("{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel",
+                  thing=thing, numbers=numbers, does=does, wheel=wheel)
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)

@@ -8,6 +8,7 @@ from ...bridge.follow import recipe_results
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.meets import meets
 from ...core.shape import transform
 from ...core.verbs import verbs
@@ -36,7 +37,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or any(map(recipe_results.is_possible, context.selected_objects)):
             return True
-        cls.poll_message_set("Select curves and surfaces")
+        cls.poll_message_set(say("Select curves and surfaces"))
         return False
 
     def tasks(self, context):
@@ -59,8 +60,7 @@ class SPLINEWRIGHT_OT_intersections(LongWork, Repeatable, bpy.types.Operator):
             context.collection.objects.link(ob)
             ob.select_set(True)
         context.view_layer.objects.active = new[0]
-        return self.finished(context, reports.Report(", ".join(_counted(len(rows), noun) for rows, noun in (
-            (found.points, "point"), (found.curves, "curve")) if len(rows))))
+        return self.finished(context, reports.Report(", ".join(_counted(len(found.points), len(found.curves)))))
 
     def _sources(self, context):
         return [ob for ob in context.selected_objects if recipe_results.is_possible(ob)]
@@ -100,8 +100,11 @@ def _points(points):
     return [bpy.data.objects.new(mesh.name, mesh)]
 
 
-def _counted(count, noun):
-    return f"{count} {noun}{'s' if count > 1 else ''}"
+def _counted(points, curves):
+    if points:
+        yield phrase("{count} points", one="{count} point", count=points)
+    if curves:
+        yield phrase("{count} curves", one="{count} curve", count=curves)
 
 
 CLASSES = (SPLINEWRIGHT_OT_intersections,)

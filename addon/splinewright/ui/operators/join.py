@@ -8,6 +8,7 @@ from ...bridge.data import store
 from ...bridge.edit import joining
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.joints.held import why_not
 from .. import texts
 from . import polls, reports
@@ -33,10 +34,10 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
             return False
         chosen, active = _joinable(context), context.object
         if active is None or not active.select_get() or not any(map(shape.has_shape, chosen)):
-            cls.poll_message_set("Select shapes, the one to keep last")
+            cls.poll_message_set(say("Select shapes, the one to keep last"))
             return False
         if len(chosen) < 2:
-            cls.poll_message_set("Select two or more shapes, all of curves or all of patches")
+            cls.poll_message_set(say("Select two or more shapes, all of curves or all of patches"))
             return False
         return True
 
@@ -61,9 +62,11 @@ class SPLINEWRIGHT_OT_join(bpy.types.Operator):
             if all(map(shape.has_shape, chosen)):
                 others = [ob.name for ob in chosen if ob != active]
                 joining.join(active, [ob for ob in chosen if ob != active])
-                return reports.finished(self, reports.Report(f"Joined {reports.listed(others)} into {active.name}", notes=_seams(active.data)))
+                return reports.finished(self, reports.Report(phrase("Joined {names} into {name}",
+                                                                    names=reports.listed(others), name=active.name), notes=_seams(active.data)))
             elif not self.end_definitions:
-                raise Refusal(f"{joining.ending_in_words(chosen)}. Nothing was joined: set End the Definitions for that")
+                raise Refusal("{said}. Nothing was joined: set End the Definitions for that",
+                              said=joining.ending_in_words(chosen))
             else:
                 return reports.finished(self, reports.Report(joining.join_plainly(active, chosen)))
         except FAILURES as error:

@@ -7,6 +7,7 @@ from ...bridge.data import store
 from ...bridge.keys import point_keys
 from ...bridge.net import live, point_keying, selection
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase, say
 from .. import active_shape, editing
 from . import reports
 
@@ -24,10 +25,10 @@ class _OnPoints:
     def poll(cls, context):
         shapes = active_shape.shapes(context)
         if not shapes:
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
         elif not any(map(cls.fits, shapes)):
             is_linked = all(ob.data.library for ob in shapes)
-            cls.poll_message_set("The shape is linked from another file: make it local first" if is_linked else cls.needs)
+            cls.poll_message_set(say("The shape is linked from another file: make it local first" if is_linked else cls.needs))
         return any(map(cls.fits, shapes))
 
     def work(self, data, rows, frame):
@@ -48,8 +49,8 @@ class _OnPoints:
         if editing.nets_in_edit_mode(context):
             editing.want_whole_step()
         count = sum(done.values())
-        points = "1 point" if count == 1 else f"{count} points"
-        return reports.finished(self, reports.Report(self.done.format(points, f"{frame:g}"), warnings=reasons))
+        points = "1 point" if count == 1 else phrase("{count} points", count=count)
+        return reports.finished(self, reports.Report(phrase(self.done, what=points, frame=f"{frame:g}"), warnings=reasons))
 
     def _rows(self, data, net):
         if net is None:
@@ -80,7 +81,7 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs = "The shape is made by a recipe: key its numbers in the panel, or use Apply Construction first"
     nothing = "there is no point to key"
-    done = "Keys of {} at frame {}"
+    done = "Keys of {what} at frame {frame}"
 
     place: BoolProperty(name="Place", description="Set keys of where points lie, and of the vectors of tangents and "
                         "directions", default=True)
@@ -102,7 +103,7 @@ class SPLINEWRIGHT_OT_clear_point_keys(_OnPoints, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs = "None of its points has keys"
     nothing = "none of these points has keys there"
-    done = "Cleared keys of {}"
+    done = "Cleared keys of {what}"
 
     when: EnumProperty(name="Keys", description="Which keys", items=(
         ('ALL', "Of All Frames", "All of them"), ('FRAME', "Of This Frame", "Those at the current frame")))

@@ -16,7 +16,7 @@ class SPLINEWRIGHT_OT_insert_knot(AtShapeParameters, WithNeighbors, bpy.types.Op
     bl_idname = "splinewright.insert_knot"
     bl_label = "Insert Knot"
     bl_description = "Add a knot, and with it control points; the shape stays the same"
-    done = "Inserted knots into {}"
+    done = "Inserted knots into {what}"
 
     where: EnumProperty(name="Where", items=(
         ('PARAMETER', "At Parameter", "At one parameter"),
@@ -38,7 +38,7 @@ class SPLINEWRIGHT_OT_remove_knot(WithinTolerance, AtShapeParameters, AlongShape
     bl_idname = "splinewright.remove_knot"
     bl_label = "Remove Knot"
     bl_description = "Remove an inner knot, move the control points as little as possible, and report how far the shape moved"
-    done = "Removed a knot of {}"
+    done = "Removed a knot of {what}"
 
     nearest: BoolProperty(name="Nearest", description="Take the inner knot that is nearest to the parameter; "
                           "otherwise there must be one at it", default=True)
@@ -55,7 +55,7 @@ class SPLINEWRIGHT_OT_remove_knots(AlongShapes, bpy.types.Operator):
     bl_idname = "splinewright.remove_knots"
     bl_label = "Remove Redundant Knots"
     bl_description = "Remove every inner knot that can go within a tolerance; Hermite shapes become NURBS"
-    done, already = "Removed knots of {}", "no knot can go within the tolerance"
+    done, already = "Removed knots of {what}", "no knot can go within the tolerance"
 
     tolerance: tolerance_property("Largest distance that is allowed", 1e-6)
 
@@ -67,7 +67,7 @@ class SPLINEWRIGHT_OT_raise_degree(WithNeighbors, bpy.types.Operator):
     bl_idname = "splinewright.raise_degree"
     bl_label = "Elevate Degree"
     bl_description = "Give the shape a higher degree and more control points; it stays the same"
-    done = "Elevated the degree of {}"
+    done = "Elevated the degree of {what}"
 
     times: times_property("By how much the degree is elevated")
 
@@ -79,7 +79,7 @@ class SPLINEWRIGHT_OT_lower_degree(WithinTolerance, AlongShapes, bpy.types.Opera
     bl_idname = "splinewright.lower_degree"
     bl_label = "Reduce Degree"
     bl_description = "Find the nearest shape of a lower degree, and report how far it lies from the present one"
-    done = "Reduced the degree of {}"
+    done = "Reduced the degree of {what}"
 
     times: times_property("By how much the degree is reduced")
 
@@ -94,7 +94,7 @@ class SPLINEWRIGHT_OT_split(AtShapeParameters, WithNeighbors, bpy.types.Operator
     bl_idname = "splinewright.split"
     bl_label = "Split"
     bl_description = "Cut curves or patches into pieces of the same shape; a periodic one is opened"
-    done = "Split {}"
+    done = "Split {what}"
     of_curves = ('tolerance',)
 
     where: EnumProperty(name="Where", items=(
@@ -126,7 +126,7 @@ class SPLINEWRIGHT_OT_reparameterize(pieces.Reparameterizes, AlongShapes, bpy.ty
     bl_idname = "splinewright.reparameterize"
     bl_label = "Reparameterize"
     bl_description = "Change the domain of a shape, or its speed along it; the shape stays the same"
-    done, already = "Reparameterized {}", "the parameters are these already"
+    done, already = "Reparameterized {what}", "the parameters are these already"
 
     def all_settings(self):
         return ['direction', *self.how_settings()]
@@ -139,7 +139,7 @@ class SPLINEWRIGHT_OT_make_periodic(AlongShapes, bpy.types.Operator):
     bl_idname = "splinewright.make_periodic"
     bl_label = "Make Periodic"
     bl_description = "Make a closed shape periodic, as smooth at its seam as it is; a gap within the tolerance is closed"
-    done, already = "Made {} periodic", "it is periodic already"
+    done, already = "Made {what} periodic", "it is periodic already"
     has_scene_tolerance = True
 
     tolerance: scene_tolerance_property("How far the ends may lie apart, and the shape move")
@@ -153,7 +153,7 @@ class SPLINEWRIGHT_OT_swap_uv(OnPatches, bpy.types.Operator):
     bl_label = "Swap U and V"
     bl_description = "Exchange both directions of patches, which flips their normals; the shape stays the same"
     bl_options = {'REGISTER', 'UNDO'}
-    done, already = "Swapped u and v of {}", "u and v are the same"
+    done, already = "Swapped u and v of {what}", "u and v are the same"
 
     def verb(self):
         return patch_verbs.swap()
@@ -171,11 +171,11 @@ class SPLINEWRIGHT_OT_swap_uv(OnPatches, bpy.types.Operator):
 
 _ALONG = (
     along('reverse', "Switch Direction", "Let curves or patches run the other way; in one direction of patches this flips their normals",
-          "Switched the direction of {}", "it is the same in both directions", verb=verbs.reverse),
+          "Switched the direction of {what}", "it is the same in both directions", verb=verbs.reverse),
     along('clamp', "Clamp Ends", "Let the shape begin and end in its outer control points; a periodic one is cut at its seam",
-          "Clamped {}", "it begins and ends in its outer points already", verb=verbs.clamp),
+          "Clamped {what}", "it begins and ends in its outer points already", verb=verbs.clamp),
     along('unclamp', "Unclamp Ends", "Spread the knots at the ends, so that the shape touches no outer point; a periodic one is opened",
-          "Unclamped {}", "its knots continue outside the domain already", verb=verbs.unclamp))
+          "Unclamped {what}", "its knots continue outside the domain already", verb=verbs.unclamp))
 
 CLASSES = (SPLINEWRIGHT_OT_insert_knot, SPLINEWRIGHT_OT_remove_knot, SPLINEWRIGHT_OT_remove_knots,
            SPLINEWRIGHT_OT_raise_degree, SPLINEWRIGHT_OT_lower_degree, SPLINEWRIGHT_OT_split,

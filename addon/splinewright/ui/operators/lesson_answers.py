@@ -9,6 +9,7 @@ from bpy_extras.io_utils import ImportHelper
 from ...bridge.lessons import collecting, shelf
 from ...core.base import whole_files
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import phrase
 from ...core.lessons import answers
 from .. import progress
 from . import polls, reports
@@ -41,7 +42,7 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
         if table.suffix.lower() != ".csv":
             table = table.with_name(f"{table.name}.csv")
         if table.exists() and not self.overwrite:
-            return reports.cancelled(self, f"{table.name} is there already: Overwrite replaces it")
+            return reports.cancelled(self, phrase("{name} is there already: Overwrite replaces it", name=table.name))
         rows, refused, empty = self._collected(context, paths)
         if not rows:
             return reports.cancelled(self, *(refused or ["These files keep no answers"]))
@@ -49,7 +50,8 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
             whole_files.write(table, answers.table(rows), 'utf-8-sig')      # spreadsheets tell UTF-8 by its mark
         except OSError as error:
             return reports.failed(self, error, table.name)
-        said = f"{len(rows)} answer{'s' if len(rows) > 1 else ''} of {len(paths) - len(refused) - len(empty)} files are in {table}"
+        said = phrase("{count} answers of {files} files are in {table}", one="{count} answer of {files} files are in {table}",
+                      count=len(rows), files=len(paths) - len(refused) - len(empty), table=table)
         return reports.finished(self, reports.Report(said, warnings=(*refused, *empty)))
 
     def _paths(self):
@@ -70,7 +72,7 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
                 try:
                     found = collecting.rows_of(path, lessons)
                     rows += found
-                    empty += [] if found else [f"{path.name} keeps no answers"]
+                    empty += [] if found else [phrase("{name} keeps no answers", name=path.name)]
                 except FAILURES as error:
                     refused.append(sentence(error))
                 step(number)

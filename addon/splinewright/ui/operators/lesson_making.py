@@ -12,6 +12,7 @@ from ...bridge.lessons import authoring, shelf, stage, trial
 from ...bridge.shape import shape
 from ...core.base import whole_files
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.lessons import drafts, reading
 from ..ui_state import ui_state
 from . import polls, reports
@@ -31,7 +32,7 @@ def draft_of(context):
     try:
         lesson = shelf.read_text(text)
     except Refusal as error:
-        raise Refusal(f"{block.name}: {error}") from None
+        raise Refusal("{name}: {error}", name=block.name, error=error) from None
     return block, json.loads(text), lesson
 
 
@@ -39,7 +40,8 @@ def write(block, draft):
     """Keep a lesson in its text. Raises Refusal, and nothing has changed then."""
     text = drafts.text_of(draft)
     if len(text) > reading.MOST_BYTES:
-        raise Refusal(f"the lesson would have {len(text):,} characters: {reading.MOST_BYTES:,} are the most")
+        raise Refusal("the lesson would have {count:,} characters: {most_bytes:,} are the most",
+                      count=len(text), most_bytes=reading.MOST_BYTES)
     block.from_string(text)
     ui_state.lesson_faults = ()
 
@@ -73,7 +75,7 @@ class _Making:
         if not polls.in_object_mode(cls, context):
             return False
         if stage.lesson_of(context.scene):
-            cls.poll_message_set("Leave the lesson of this scene first")
+            cls.poll_message_set(say("Leave the lesson of this scene first"))
             return False
         return True
 
@@ -90,7 +92,7 @@ class _OnDraft(_Making):
         if not super().poll(context):
             return False
         if getattr(context.scene, _LESSON) is None:
-            cls.poll_message_set("Make a lesson first")
+            cls.poll_message_set(say("Make a lesson first"))
             return False
         return True
 
@@ -144,12 +146,14 @@ class SPLINEWRIGHT_OT_new_lesson(_WithWords, bpy.types.Operator):
         write(block, draft)
         setattr(scene, _LESSON, block)
         setattr(scene, _WORDS, None)
-        return reports.finished(self, reports.Report(f"{block.name} is in the Text Editor: {len(makes)} shapes", notes=kept_as_values(found)))
+        return reports.finished(self, reports.Report(phrase("{name} is in the Text Editor: {count} shapes",
+                                                            name=block.name, count=len(makes)), notes=kept_as_values(found)))
 
 
 def kept_as_values(found):
     """Sentences about shapes {name: Present} whose recipes a lesson cannot hold."""
-    return tuple(f"{name} is kept as it is: {one.why_value}" for name, one in found.items() if one.why_value)
+    return tuple(phrase("{name} is kept as it is: {reason}",
+                        name=name, reason=one.why_value) for name, one in found.items() if one.why_value)
 
 
 class SPLINEWRIGHT_OT_add_lesson_step(_WithWords, _OnDraft, bpy.types.Operator):
@@ -174,8 +178,10 @@ class SPLINEWRIGHT_OT_add_lesson_step(_WithWords, _OnDraft, bpy.types.Operator):
         setattr(scene, _WORDS, None)
         made, changed = len(makes), len(step.get('change', ()))
         return reports.finished(self, reports.Report(
-            f"Step {len(lesson.steps) + 1}: {made} new shapes, {changed} changed", notes=kept_as_values({all_names[ob]: found[all_names[ob]] for ob in new}),
-            warnings=tuple(f"{name} is gone: in the lesson it stays as it was" for name in _gone(names, known).values())))
+            phrase("Step {number}: {count} new shapes, {changed} changed",
+                   number=len(lesson.steps) + 1, count=made, changed=changed), notes=kept_as_values({all_names[ob]: found[all_names[ob]] for ob in new}),
+            warnings=tuple(phrase("{name} is gone: in the lesson it stays as it was",
+                                  name=name) for name in _gone(names, known).values())))
 
 
 def _gone(names, known):
@@ -194,7 +200,8 @@ class SPLINEWRIGHT_OT_check_lesson(_OnDraft, bpy.types.Operator):
         ui_state.lesson_faults = tuple(trial.faults(lesson, scene, overlays(scene)))
         if ui_state.lesson_faults:
             return reports.cancelled(self, *ui_state.lesson_faults)
-        return reports.finished(self, reports.Report(f"{block.name}: all {len(lesson.steps)} steps are in order"))
+        return reports.finished(self, reports.Report(phrase("{name}: all {count} steps are in order",
+                                                            name=block.name, count=len(lesson.steps))))
 
 
 class SPLINEWRIGHT_OT_export_lesson(_OnDraft, ExportHelper, bpy.types.Operator):
@@ -223,7 +230,7 @@ class SPLINEWRIGHT_OT_export_lesson(_OnDraft, ExportHelper, bpy.types.Operator):
             raise Refusal("Name a file to write to")
         whole_files.write(path, drafts.text_of(draft))
         ui_state.lesson_faults = tuple(trial.faults(lesson, scene, overlays(scene)))
-        return reports.finished(self, reports.Report(f"Exported {path.name}", warnings=ui_state.lesson_faults))
+        return reports.finished(self, reports.Report(phrase("Exported {name}", name=path.name), warnings=ui_state.lesson_faults))
 
 
 CLASSES = (SPLINEWRIGHT_OT_new_lesson, SPLINEWRIGHT_OT_add_lesson_step, SPLINEWRIGHT_OT_check_lesson, SPLINEWRIGHT_OT_export_lesson)

@@ -7,6 +7,7 @@ from ...bridge.lessons import authoring
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.lessons import drafts
 from ...core.lessons.lesson import Measure
 from ...core.lessons.measures import KINDS, measured
@@ -16,7 +17,8 @@ from .lesson_making import _OnDraft, draft_of, write
 
 #: What an argument of a measure is asked by.
 _FIELDS = {'at': ('at', 'at_setting'), 'at_v': ('at_v',), 'index': ('index',), 'name': ('setting',), 'to': ()}
-_MEASURES = tuple((kind, kind.replace("_", " ").capitalize(), f"Takes {', '.join(known.takes)}" if known.takes else "A number of the whole curve")
+_MEASURES = tuple((kind, kind.replace("_", " ").capitalize(), phrase("Takes {names}",
+                                                                     names=', '.join(known.takes)) if known.takes else "A number of the whole curve")
                   for kind, known in KINDS.items() if set(known.takes) <= set(_FIELDS))
 _TYPED = ('NUMBER', "Typed", "The parameter is typed")
 
@@ -32,7 +34,8 @@ def _settings(_self, context):
 
 
 def _places(_self, context):
-    found = [(f"{name}\n{one.name}", f"{one.label} of {name}", one.description) for ob, name in authoring.known(context.scene).items()
+    found = [(f"{name}\n{one.name}", phrase("{label} of {name}",
+                                            label=phrase(one.label), name=name), one.description) for ob, name in authoring.known(context.scene).items()
              for one in _numbers_of(ob)]
     return _kept([_TYPED, *found])
 
@@ -107,7 +110,7 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
         if not self.more and 'ask' in draft['steps'][-1]:
             draft = {**draft, 'steps': [*draft['steps'][:-1], {key: value for key, value in draft['steps'][-1].items() if key != 'ask'}]}
         write(block, drafts.ask(draft, question, self.hint.strip(), changed, may_move))
-        return reports.finished(self, reports.Report(f"Step {len(lesson.steps)} asks: {said}"))
+        return reports.finished(self, reports.Report(phrase("Step {number} asks: {said}", number=len(lesson.steps), said=said)))
 
     def _choice(self):
         choices = [one.strip() for one in self.choices.split("|") if one.strip()]
@@ -119,28 +122,30 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
         """(the question, changes that lead to its solution, what it says)"""
         name = names[context.object]
         if self.kind == 'point':
-            return {'point': self._numbers(), 'of': name}, (), f"points of {name} are to be picked"
+            return {'point': self._numbers(), 'of': name}, (), phrase("points of {name} are to be picked", name=name)
         said = self._measure(context, names, name)
         number = measured(_measure_of(said), authoring.shown(found))
         if self.kind == 'number':
-            return {'number': said, 'within': decimals.typed(self.within)}, (), f"the number is {number:.6g}"
+            return {'number': said, 'within': decimals.typed(self.within)}, (), phrase("the number is {number:.6g}", number=number)
         changed = drafts.changes(known, found)
         if not changed:
             raise Refusal("the shapes are as the step begins: bring them to where the question is answered, then ask")
-        return {'do': [self._condition(said, number)]}, changed, f"{self.measure} of {name}, which is {number:.6g} in the solution"
+        return {'do': [self._condition(said, number)]}, changed, phrase("{measure} of {name}, which is {number:.6g} in the solution",
+                                                                        measure=self.measure, name=name, number=number)
 
     def _numbers(self):
         try:
             return sorted({int(one) for one in self.points.replace(",", " ").split()})
         except ValueError:
-            raise Refusal(f"{self.points!r} are no numbers of points: 1 3 4 would be some") from None
+            raise Refusal("{points!r} are no numbers of points: 1 3 4 would be some", points=self.points) from None
 
     def _condition(self, said, number):
         if self.relation == 'near':
             return {'that': said, 'near': float(f"{number:.12g}"), 'within': decimals.typed(self.within)}
         bound = decimals.typed(self.bound)
         if not (number > bound if self.relation == 'above' else number < bound):
-            raise Refusal(f"the number is {number:.6g} now, and not {self.relation} {bound:g}: the present state must be a solution")
+            raise Refusal("the number is {number:.6g} now, and not {relation} {bound:g}: the present state must be a solution",
+                          number=number, relation=self.relation, bound=bound)
         return {'that': said, self.relation: bound}
 
     def _measure(self, context, names, name):

@@ -9,6 +9,7 @@ from bpy_extras.io_utils import ImportHelper
 
 from ...bridge.lessons import shelf, stage
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import phrase, say
 from ..ui_state import ui_state
 from . import polls, reports
 
@@ -54,7 +55,7 @@ def begin(operator, context, lesson, text=""):
     if context.window is not None:
         context.window.scene = scene
         show_view(context, lesson.steps[0])
-    return reports.finished(operator, reports.Report(f"{lesson.title}: the sidebar has its steps"))
+    return reports.finished(operator, reports.Report(phrase("{title}: the sidebar has its steps", title=phrase(lesson.title))))
 
 
 class SPLINEWRIGHT_OT_start_lesson(bpy.types.Operator):
@@ -73,9 +74,10 @@ class SPLINEWRIGHT_OT_start_lesson(bpy.types.Operator):
     @classmethod
     def description(cls, context, properties):
         if properties.text:
-            return f"Open the lesson that the text {properties.text} holds"
+            return say(phrase("Open the lesson that the text {text} holds", text=properties.text))
         title, about = next(((title, about) for name, title, about in _items() if name == properties.lesson), ("", ""))
-        return f"{title} ({about}) in a separate scene; your scene stays as it is" if about else cls.bl_description
+        return say(phrase("{title} ({about}) in a separate scene; your scene stays as it is",
+                      title=title, about=about) if about else cls.bl_description)
 
     def execute(self, context):
         try:

@@ -9,7 +9,8 @@ from ...bridge.lessons import shelf, stage
 from ...bridge.net import live, selection
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
-from ...core.lessons import words
+from ...core.base.words import phrase, say
+from ...core.lessons import in_words
 from .. import editing
 from ..ui_state import ui_state
 from . import reports
@@ -24,7 +25,8 @@ def current(scene):
     text = stage.text_of(scene)
     found = shelf.read_text(text) if text else shelf.all_lessons().get(name)
     if found is None or stage.is_damaged(scene, found):
-        raise Refusal(f"there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one")
+        raise Refusal("there is no lesson {name!r} here: Leave Lesson removes its scene, Keep Scene makes it an ordinary one",
+                      name=name)
     return found
 
 
@@ -56,7 +58,7 @@ class _OfLesson:
     @classmethod
     def poll(cls, context):
         if not stage.lesson_of(context.scene):
-            cls.poll_message_set("Start a lesson first")
+            cls.poll_message_set(say("Start a lesson first"))
             return False
         return True
 
@@ -91,7 +93,7 @@ class SPLINEWRIGHT_OT_lesson_step(_OfLesson, bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return cls.bl_rna.properties['way'].enum_items[properties.way].description
+        return say(cls.bl_rna.properties['way'].enum_items[properties.way].description)
 
     def done(self, context, scene, lesson):
         number = stage.step_of(scene)
@@ -123,11 +125,11 @@ class SPLINEWRIGHT_OT_check_answer(_OfAnswer, bpy.types.Operator):
             held = net_of(context, ask.shape)
             given = picked_points(held) if held is not None else []
             if not given:
-                return reports.cancelled(self, f"Select points of {ask.shape}: Pick Points shows them")
+                return reports.cancelled(self, phrase("Select points of {shape}: Pick Points shows them", shape=ask.shape))
         is_right = stage.answer(scene, lesson, given)
         ui_state.lesson_shown = ()
         ui_state.lesson_word = "Right" if is_right else "Not yet"
-        return reports.finished(self, reports.Report(f"{ui_state.lesson_word}."))
+        return reports.finished(self, reports.Report("Right." if is_right else "Not yet."))
 
 
 class SPLINEWRIGHT_OT_pick_answer(_OfAnswer, bpy.types.Operator):
@@ -140,7 +142,7 @@ class SPLINEWRIGHT_OT_pick_answer(_OfAnswer, bpy.types.Operator):
         if ask is None or ask.kind != 'point':
             return reports.cancelled(self, "This step asks for no points")
         if net_of(context, ask.shape) is not None:
-            return reports.cancelled(self, f"The points of {ask.shape} can be selected now")
+            return reports.cancelled(self, phrase("The points of {shape} can be selected now", shape=ask.shape))
         if context.mode != 'OBJECT':
             editing.end()
         ob = stage.object_of(scene, ask.shape)
@@ -166,7 +168,7 @@ class SPLINEWRIGHT_OT_show_solution(_OfAnswer, bpy.types.Operator):
         if held is not None:
             net = live.session(held.data).net
             selection.select(held, net, np.flatnonzero(np.isin(net.rows, sorted(step.ask.points))))
-        said = words.answer(step, stage.shapes_of(scene))
+        said = in_words.answer(step, stage.shapes_of(scene))
         ui_state.lesson_shown = (stage.lesson_of(scene), stage.step_of(scene), said)
         return reports.finished(self, reports.Report(said))
 

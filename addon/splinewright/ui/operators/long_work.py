@@ -6,6 +6,7 @@ import time
 import bpy
 
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from . import reports
 from .gesture import Gesture
 
@@ -113,7 +114,7 @@ class LongWork(AtWork):
         self._work.stop()
 
     def called_off(self):
-        return reports.stopped(self, f"{self.bl_label} was stopped: nothing has changed")
+        return reports.stopped(self, phrase("{label} was stopped: nothing has changed", label=phrase(self.bl_label)))
 
     def _finished_work(self, context):
         try:
@@ -125,4 +126,5 @@ class LongWork(AtWork):
         seconds = int(time.monotonic() - self._began)
         if seconds != self._said:
             self._said = seconds
-            context.workspace.status_text_set(f"{self.bl_label}: at work for {seconds} s   |   Esc: stop, nothing changes")
+            context.workspace.status_text_set(say(phrase("{label}: at work for {seconds} s   |   Esc: stop, nothing changes",
+                                                     label=phrase(self.bl_label), seconds=seconds)))

@@ -8,6 +8,7 @@ from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from ...core.deform import deforming
 from .. import active_shape
 from . import reports
@@ -20,7 +21,7 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
     bl_description = ("Make exact circles and surfaces of revolution cubic and smooth around, without weights, for "
                       "sculpting, within the tolerance")
     bl_options = {'REGISTER', 'UNDO'}
-    needs, done = "Select a shape", "Made {} deformable"
+    needs, done = "Select a shape", "Made {what} deformable"
     fits = staticmethod(shape.has_shape)
 
     tolerance: scene_tolerance_property("How far it may lie from the exact one")
@@ -42,9 +43,10 @@ class SPLINEWRIGHT_OT_make_deformable(UpToTolerance, bpy.types.Operator):
     def said(self, outcomes):
         error = max(error for error, _ in outcomes.values())
         rational = sum(count for _, count in outcomes.values())
-        more = [f"within {decimals.text_of(error, 2)} of the exact one"]
+        more = [phrase("within {error} of the exact one", error=decimals.text_of(error, 2))]
         if rational:
-            more.append(f"{rational} piece{'s' if rational > 1 else ''} keep{'' if rational > 1 else 's'} weights along the profile")
+            more.append(phrase("{count} pieces keep weights along the profile",
+                               one="{count} piece keeps weights along the profile", count=rational))
         return reports.Report(f"{self.summary(outcomes)}: {', '.join(more)}")
 
 def _of_recipe(data):

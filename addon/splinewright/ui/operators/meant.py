@@ -4,13 +4,14 @@ from ...bridge.data import store
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase
 from .. import active_shape, picking
 from .reports import listed
 
 
 def works_on(obs):
     """The shapes that are worked on, for the status bar."""
-    return f"Works on {listed([ob.name for ob in obs])}   |   " if obs else ""
+    return phrase("Works on {names}   |   ", names=listed([ob.name for ob in obs])) if obs else ""
 
 
 def why_none(context, event, meant):
@@ -31,9 +32,10 @@ def _pointed_at(context, event, ob):
 
 
 def _why_not(context, ob, meant):
-    alone = f"only {listed([one.name for one in meant])} {'is' if len(meant) == 1 else 'are'} worked on" if meant else ""
+    alone = phrase("only {names} are worked on" if len(meant) > 1 else "only {names} is worked on",
+                   names=listed([one.name for one in meant])) if meant else ""
     if ob not in context.selected_objects and ob not in context.objects_in_mode:
-        return f"{ob.name} is not selected" + (f": {alone}" if alone else "")
+        return phrase("{name} is not selected", name=ob.name) + (f": {alone}" if alone else "")
     return f"{ob.name} {_bound(ob)}" + (f"; {alone}" if alone else "")
 
 

@@ -7,6 +7,7 @@ from ...bridge.analysis import surveys
 from ...bridge.shape import shape
 from ...core.analysis import measured
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import say
 from .. import active_shape, editing, measure_overlay, picking
 from ..ui_state import ui_state
 from .gesture import redraw
@@ -26,7 +27,7 @@ class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not _shapes(context):
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
             return False
         return True
 

@@ -6,6 +6,7 @@ import numpy as np
 from ...bridge.analysis import surveys
 from ...core.analysis import measured
 from ...core.base.failures import FAILURES
+from ...core.base.words import say
 from .. import active_shape
 from . import reports
 from .long_work import LongWork
@@ -21,7 +22,7 @@ class SPLINEWRIGHT_OT_measure_whole(LongWork, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if active_shape.shape_of(context.object) is None:
-            cls.poll_message_set("Make a Splinewright shape active")
+            cls.poll_message_set(say("Make a Splinewright shape active"))
             return False
         return True
 

@@ -7,6 +7,7 @@ from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from ...bridge.edit import moving_knots
 from ...core.base import decimals, typed_number
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase, say
 from ...core.verbs import knot_strip
 from .. import knot_strip as strip
 from .. import active_shape, editing
@@ -45,7 +46,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if not active_shape.shapes(context):    # of those that are not to be changed the refusal tells
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
             return False
         return True
 
@@ -67,7 +68,8 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
             held.show(to)
         except FAILURES as error:
             return reports.failed(self, error, owner.name)
-        return reports.finished(self, reports.Report(f"Knot {self.knot} of {owner.name} at {to:.6g}",
+        return reports.finished(self, reports.Report(phrase("Knot {knot} of {name} at {to:.6g}",
+                                                            knot=self.knot, name=owner.name, to=to),
                                                    warnings=(*filter(None, [held.lost]),
                                                              *(editing.anew(context, nets) if nets else ()))))
 
@@ -100,7 +102,7 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
         self._moved, self._to, self._typed, self._problem = 0.0, hit.value, typed_number.Typed(), ""
         self._note = ""
         self._drag, self._refused = None, ""
-        context.workspace.status_text_set(_KEYS)
+        context.workspace.status_text_set(say(_KEYS))
         return self.begin_modal(context)
 
     def step(self, context, event):
@@ -160,7 +162,8 @@ class SPLINEWRIGHT_OT_move_knot(Typing, Gesture, bpy.types.Operator):
 
     def _text(self):
         number = str(self._typed) + "|" if str(self._typed) else f"{self._to:.10g}"
-        return f"Knot {self.knot} at {number}: {self._problem or self._note or knot_strip.where(self._bar, self._mark)}"
+        return phrase("Knot {knot} at {number}: {problem}",
+                      knot=self.knot, number=number, problem=self._problem or self._note or knot_strip.where(self._bar, self._mark))
 
     def _let_go(self, context):
         is_moved = self._drag is not None and self._to != self._bar.values[self._mark]

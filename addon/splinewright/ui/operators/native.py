@@ -5,6 +5,7 @@ import bpy
 from ...bridge.data import store
 from ...bridge.native import make_exact, to_native
 from ...bridge.shape import shape
+from ...core.base.words import phrase
 from . import reports
 from .selected import OnSelected
 
@@ -18,9 +19,10 @@ class _Conversion(OnSelected):
 
     def said(self, outcomes):
         measured = [outcome.deviation for outcome, _ in outcomes.values() if outcome.deviation is not None]
-        distance = f": Blender's points lie within {max(measured):.1e} of the exact ones" if measured else ""
+        distance = phrase(": Blender's points lie within {measured:.1e} of the exact ones",
+                          measured=max(measured)) if measured else ""
         notes = {name: "; ".join(notes) for name, (_, notes) in outcomes.items() if notes}
-        dropped = {name: f"without {', '.join(outcome.dropped)}" for name, (outcome, _) in outcomes.items()
+        dropped = {name: phrase("without {dropped}", dropped=', '.join(outcome.dropped)) for name, (outcome, _) in outcomes.items()
                    if outcome.dropped}
         return reports.Report(self.summary(outcomes) + distance, reports.by_name(notes), reports.by_name(dropped))
 
@@ -30,7 +32,7 @@ class SPLINEWRIGHT_OT_make_exact(_Conversion, bpy.types.Operator):
     bl_label = "Convert to Splinewright"
     bl_description = "Convert selected curves, surfaces and texts of Blender to Splinewright shapes of the same geometry"
     needs = "Select a curve or surface that is no Splinewright shape, or a text"
-    done = "Made {} exact"
+    done = "Made {what} exact"
     fits = staticmethod(_is_native)
 
     def work(self, context, ob):
@@ -42,7 +44,7 @@ class SPLINEWRIGHT_OT_to_native(_Conversion, bpy.types.Operator):
     bl_label = "Convert to Blender Curve/Surface"
     bl_description = "Convert selected Splinewright shapes to Blender curves and surfaces of the same geometry"
     needs = "Select a Splinewright shape"
-    done = "Made {} Blender's own"
+    done = "Made {what} Blender's own"
     fits = staticmethod(shape.has_shape)
 
     def work(self, context, ob):

@@ -5,6 +5,7 @@ from mathutils import Matrix
 
 from ...bridge.data import settings, store
 from ...core.base import decimals
+from ...core.base.words import phrase
 from .. import preferences
 from . import pieces
 
@@ -92,5 +93,6 @@ def without_scale(matrix):
 def said_of(made, error):
     """How many control points new objects have, and how far they are at most from what they were made of, in the scene."""
     count = sum(pieces.points(store.read(ob.data)) for ob in made)
-    shapes = f"{len(made)} shapes, " if len(made) > 1 else ""
-    return f"{shapes}{count} control points, largest distance {decimals.text_of(error, 4)}"
+    shapes = phrase("{count} shapes, ", count=len(made)) if len(made) > 1 else ""
+    return phrase("{shapes}{count} control points, largest distance {error}",
+                  shapes=shapes, count=count, error=decimals.text_of(error, 4))

@@ -7,6 +7,7 @@ from ...bridge.cage import net_object
 from ...bridge.edit import parting
 from ...bridge.shape import shape
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase
 from .. import active_shape, editing
 from . import pieces, reports
 from .selected import OnSelected
@@ -37,7 +38,8 @@ class _OnChosen(pieces.OnPieces):
             return whole or touched
         count = active_shape.count_of(ob.data)
         if self.piece > count:
-            raise Refusal(f"the shape has {count} piece{'s' if count > 1 else ''}, there is none of number {self.piece}")
+            raise Refusal("the shape has {count} pieces, there is none of number {number}",
+                      "the shape has {count} piece, there is none of number {number}", count=count, number=self.piece)
         return [self.piece - 1]
 
 
@@ -45,7 +47,7 @@ class SPLINEWRIGHT_OT_delete_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.delete_pieces"
     bl_label = "Delete Piece"
     bl_description = "Delete a curve or patch of the shape: the chosen one, or in a net that of the selected points"
-    done = "Deleted pieces of {}"
+    done = "Deleted pieces of {what}"
 
     def work(self, context, ob):
         outcome = parting.delete(ob.data, self.numbers(context, ob))
@@ -62,14 +64,14 @@ def _separated(ob, groups):
 
 def _counted(outcomes):
     count = sum(map(len, outcomes.values()))
-    return f"{count} new object{'s' if count > 1 else ''}"
+    return phrase("{count} new objects", one="{count} new object", count=count)
 
 
 class SPLINEWRIGHT_OT_separate_pieces(_OnChosen, bpy.types.Operator):
     bl_idname = "splinewright.separate_pieces"
     bl_label = "Separate Piece"
     bl_description = "Separate a curve or patch into a new shape: the chosen one, or in a net the selected one"
-    done = "Separated {}"
+    done = "Separated {what}"
 
     def work(self, context, ob):
         return _separated(ob, [self.numbers(context, ob)])
@@ -84,7 +86,7 @@ class SPLINEWRIGHT_OT_explode(OnSelected, bpy.types.Operator):
     bl_description = "Separate every curve or patch of a shape into a new shape; materials, attributes and modifiers are kept"
     needs = "Select a shape of several pieces"
     fits = staticmethod(lambda ob: shape.has_shape(ob) and active_shape.count_of(ob.data) > 1)
-    done = "Exploded {}"
+    done = "Exploded {what}"
 
     def work(self, context, ob):
         return _separated(ob, [[number] for number in range(active_shape.count_of(ob.data))])

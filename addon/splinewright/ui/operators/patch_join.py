@@ -8,6 +8,7 @@ from bpy.props import EnumProperty, IntProperty
 from ...bridge.edit import joining, replace_pieces
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase
 from ...core.joints import patch_joints, seams
 from ...core.verbs.patch_curves import SIDES, SIDE_CHOICES
 from .. import active_shape
@@ -58,7 +59,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "patch")
+        return polls.one_or_two_selected(cls, context, replace_pieces.is_patch_shape, "Select one or two patch shapes")
 
     def invoke(self, context, event):
         active_shape.begin_pair(self, context)
@@ -93,7 +94,7 @@ class SPLINEWRIGHT_OT_join_patches(bpy.types.Operator):
 
 
 def _named(number):
-    return f"patch {number}"
+    return phrase("patch {number}", number=number)
 
 
 def _named_of_two(ob, other):
@@ -103,25 +104,27 @@ def _named_of_two(ob, other):
 
     def named(number):
         name, of_its_own, count = owners[number - 1]
-        return name if count == 1 else f"patch {of_its_own} of {name}"
+        return name if count == 1 else phrase("patch {number} of {name}", number=of_its_own, name=name)
     return named
 
 
 def told(found, named=_named):
     """A core.joints.patch_joints.Joined in words. named: (number) -> what a patch is called."""
-    sides = " and ".join(f"{SIDES[side]} of {named(number)}" for number, side, _ in (found.first, found.second))
-    moved = [f"{named(number)} moved by {decimals.text_of(error, 2)}" for number, _, error in (found.first, found.second)
+    sides = " and ".join(phrase("{side} of {patch}",
+                                side=SIDES[side], patch=named(number)) for number, side, _ in (found.first, found.second))
+    moved = [phrase("{patch} moved by {error}",
+                    patch=named(number), error=decimals.text_of(error, 2)) for number, _, error in (found.first, found.second)
              if error > 1e-12]
     measured = found.measured
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
-    return (f"{sides} are {seams.in_words(measured)}, angle {_short(angle)}°, curvatures differ by {_short(bend)}; "
-            f"{', '.join(moved) or 'nothing moved'}")
+    return (phrase("{sides} are {measured}, angle {angle}°, curvatures differ by {bend}; {moved}",
+                   sides=sides, measured=seams.in_words(measured), angle=_short(angle), bend=_short(bend), moved=', '.join(moved) or 'nothing moved'))
 
 
 def came_apart(found, named=_named):
     """What a core.joints.patch_joints.Joined has taken apart, as warnings."""
-    pairs = ", ".join(f"{named(first)} and {named(second)}" for first, second in found.came_apart)
-    return (f"open now between {pairs}: they have other knots or degrees there",) if pairs else ()
+    pairs = ", ".join(phrase("{first} and {second}", first=named(first), second=named(second)) for first, second in found.came_apart)
+    return (phrase("open now between {pairs}: they have other knots or degrees there", pairs=pairs),) if pairs else ()
 
 
 def _short(number):

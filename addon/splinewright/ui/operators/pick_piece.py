@@ -4,6 +4,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from ...bridge.shape import shape
+from ...core.base.words import phrase, say
 from .. import active_shape, picking
 from ..ui_state import ui_state
 from . import polls, reports
@@ -78,10 +79,10 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
         if not polls.in_object_mode(cls, context):
             return False
         if not shape.has_shape(context.object):
-            cls.poll_message_set("Select a Splinewright shape")
+            cls.poll_message_set(say("Select a Splinewright shape"))
             return False
         if context.object.data.library:
-            cls.poll_message_set("The shape is linked from another file: make it local first")
+            cls.poll_message_set(say("The shape is linked from another file: make it local first"))
             return False
         return True
 
@@ -91,7 +92,7 @@ class SPLINEWRIGHT_OT_pick_piece(_Picks, bpy.types.Operator):
 
     def picked(self, context, ob, number):
         active_shape.take(ob.data, number, self.other)
-        return reports.finished(self, reports.Report(f"Piece {number} of {ob.name} is active"))
+        return reports.finished(self, reports.Report(phrase("Piece {number} of {name} is active", number=number, name=ob.name)))
 
 
 class SPLINEWRIGHT_OT_pick_for_operator(_Picks, bpy.types.Operator):

@@ -12,6 +12,7 @@ from ...bridge.data import held, store
 from ...bridge.edit import replace_pieces
 from ...core.base import decimals
 from ...core.base.failures import FAILURES
+from ...core.base.words import phrase, say
 from ...core.joints import seams
 from ...core.verbs import verbs
 from .. import active_shape, editing, scene_tolerance
@@ -86,7 +87,7 @@ class OnPieces(OnSelected):
         if not nets:
             return super().poll(context)
         if not any(map(cls.fits, map(net_object.shape_of, nets))):
-            cls.poll_message_set("The net is of another kind of shape")
+            cls.poll_message_set(say("The net is of another kind of shape"))
             return False
         return True
 
@@ -127,7 +128,7 @@ class OnPieces(OnSelected):
         if problem:
             return reports.cancelled(self, problem)
         if self.only and not self.chosen(context):
-            return reports.cancelled(self, f"{self.only} is not selected, or of another kind")
+            return reports.cancelled(self, phrase("{name} is not selected, or of another kind", name=self.only))
         active_shape.forget_asked()
         for ob in self.chosen(context):
             active_shape.note(self, 'piece', ob)
@@ -161,9 +162,11 @@ class OnPieces(OnSelected):
         nets = editing.nets_in_edit_mode(context)
         warnings = editing.anew(context, nets) if nets else ()
         released = self._holding - self._count_holding(context)
-        thing = "joint" if any(ob.type == 'CURVE' for ob in self.chosen(context)) else "seam"
-        words = f"{released} {thing}s hold" if released > 1 else f"a {thing} holds"
-        return (*warnings, f"{words} no more") if released > 0 else warnings
+        if released <= 0:
+            return warnings
+        if any(ob.type == 'CURVE' for ob in self.chosen(context)):
+            return *warnings, phrase("{count} joints hold no more", one="a joint holds no more", count=released)
+        return *warnings, phrase("{count} seams hold no more", one="a seam holds no more", count=released)
 
     def said(self, outcomes):
         return reports.Report(self.summary(outcomes) + told(outcomes.values()), warnings=tuple(_opened(outcomes)))
@@ -215,10 +218,11 @@ class LongOnPieces(LongWork, OnPieces):
 def _opened(outcomes):
     """Sentences of what came open."""
     for name, (before, changed) in outcomes.items():
-        pairs = [f"{first + 1} and {second + 1}" for first, second in seams.opened(before, changed.definition, changed.parents)]
+        pairs = [phrase("{first} and {second}",
+                        first=first + 1, second=second + 1) for first, second in seams.opened(before, changed.definition, changed.parents)]
         if pairs:
-            said = ", ".join(pairs[:4]) + (f" and {len(pairs) - 4} more pairs" if len(pairs) > 4 else "")
-            yield f"{name} is open now between the patches {said}: with Piece 0 all are changed alike"
+            said = ", ".join(pairs[:4]) + (phrase(" and {count} more pairs", count=len(pairs) - 4) if len(pairs) > 4 else "")
+            yield phrase("{name} is open now between the patches {said}: with Piece 0 all are changed alike", name=name, said=said)
 
 
 def told(outcomes):
@@ -227,13 +231,15 @@ def told(outcomes):
     texts = []
     if len(outcomes) == 1:
         before, changed = outcomes[0]
-        for count, noun in ((lambda d: len(d.pieces), "piece"), (points, "point")):
-            old, new = count(before), count(changed.definition)
-            if old != new:
-                texts.append(f"{old} {noun}{'s' if old > 1 else ''} became {new}")
+        old, new = len(before.pieces), len(changed.definition.pieces)
+        if old != new:
+            texts.append(phrase("{count} pieces became {now}", one="{count} piece became {now}", count=old, now=new))
+        old, new = points(before), points(changed.definition)
+        if old != new:
+            texts.append(phrase("{count} points became {now}", one="{count} point became {now}", count=old, now=new))
     error = max(changed.error for _, changed in outcomes)
     if error > 0:
-        texts.append(f"largest distance {decimals.text_of(error, 2)}")
+        texts.append(phrase("largest distance {error}", error=decimals.text_of(error, 2)))
     return ": " + ", ".join(texts) if texts else ""
 
 

@@ -2,6 +2,7 @@
 
 from bpy.props import BoolProperty
 
+from ...core.base.words import say
 from ..ui_state import ui_state
 from . import meant
 from .gesture import Gesture
@@ -70,7 +71,7 @@ class Pointing(Gesture):
     def tell(self, context, why_none=""):
         """In the status bar: why a click did nothing, the current object, and the keys."""
         first = f"{why_none}   |   " if why_none else meant.works_on(self.meant(context))
-        context.workspace.status_text_set(first + self.hint)
+        context.workspace.status_text_set(say(first + self.hint))
 
     def hide(self):
         ui_state.is_pointing = False

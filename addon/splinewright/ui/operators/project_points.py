@@ -9,6 +9,7 @@ from ...bridge.shape import shape
 from ...core.analysis import measured
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
+from ...core.base.words import phrase, say
 from ...core.meets import projecting
 from .. import progress
 from . import reports
@@ -32,7 +33,7 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
             return False
         if cls.has_made(context) or (shape.has_shape(context.object) and _meshes(context)):
             return True
-        cls.poll_message_set("Select meshes, and then the shape onto which their points go")
+        cls.poll_message_set(say("Select meshes, and then the shape onto which their points go"))
         return False
 
     def tasks(self, context):
@@ -53,7 +54,8 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
             context.view_layer.objects.active = new[0]
         words = [decimals.text_of(number, 4) for number in (distances.max(), distances.mean())]
         return self.finished(context, reports.Report(
-            f"{len(distances)} points, largest distance {words[0]}, mean {words[1]}"))
+            phrase("{count} points, largest distance {largest}, mean {mean}",
+                   count=len(distances), largest=words[0], mean=words[1])))
 
     def _chosen(self, context):
         """The _Points that are meant. Raises Refusal."""
@@ -115,16 +117,16 @@ class _Points:
             mesh.vertices.foreach_get('select', self._moves)
         self._matrix = np.array(ob.matrix_world, dtype=np.float64)
         if np.linalg.det(self._matrix[:3, :3]) == 0.0:
-            raise Refusal(f"{ob.name} has a scale of 0")
+            raise Refusal("{name} has a scale of 0", name=ob.name)
         self.world = self._local[self._moves] @ self._matrix[:3, :3].T + self._matrix[:3, 3]
 
     def require_free(self):
         """Raises Refusal where the vertices cannot move themselves."""
         mesh = self.ob.data
         if mesh.library or mesh.override_library:
-            raise Refusal(f"{self.ob.name} is linked from another file")
+            raise Refusal("{name} is linked from another file", name=self.ob.name)
         if mesh.shape_keys:
-            raise Refusal(f"{self.ob.name} has shape keys")
+            raise Refusal("{name} has shape keys", name=self.ob.name)
 
     def move(self, world):
         self._local[self._moves] = np.linalg.solve(self._matrix[:3, :3], (world - self._matrix[:3, 3]).T).T

@@ -16,6 +16,7 @@ from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase, say
 from ...core.deform import pulling as pulls
 from ...core.shape import parameters
 from ...core.verbs import patch_verbs, verbs
@@ -33,7 +34,7 @@ _STILL = 3.0
 _ON_POINT = 8.0
 _AIMING = "Press on the shape and pull   |   D, C on curves: the tangent, the osculating circle   |   Esc, Right Mouse: Cancel"
 _PULLING = ("Release: done   |   X, Y, Z: axis   |   Numbers: distance   |   Ctrl: magnet on, off   |   "
-            "Wheel: how many points follow   |   {}Esc, Right Mouse: Cancel")
+            "Wheel: how many points follow   |   {more}Esc, Right Mouse: Cancel")
 _OF_CURVES = "T: keep the tangent   |   D, C: pull it, or the circle   |   "
 #: Keys that say what is pulled instead of the point, and of it again.
 _HANDLE_KEYS = {'D': 'TANGENT', 'C': 'CIRCLE'}
@@ -74,9 +75,9 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
     def poll(cls, context):
         shapes = active_shape.shapes(context)
         if not shapes:
-            cls.poll_message_set("Select a Splinewright shape, or edit its net")
+            cls.poll_message_set(say("Select a Splinewright shape, or edit its net"))
         elif not any(map(active_shape.is_free, shapes)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return any(map(active_shape.is_free, shapes))
 
     # From here on: with numbers.
@@ -90,7 +91,8 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
             held.write(self._pulled(held.definition, ob))
         except FAILURES as error:
             return reports.failed(self, error, ob.name)
-        return reports.finished(self, reports.Report(f"Pulled {self._named(ob)} by {decimals.text_of(np.linalg.norm(self._typed()))}",
+        return reports.finished(self, reports.Report(phrase("Pulled {name} by {distance}",
+                                                            name=self._named(ob), distance=decimals.text_of(np.linalg.norm(self._typed()))),
                                                       warnings=tuple(filter(None, [held.lost]))))
 
     def draw(self, context):
@@ -145,7 +147,7 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
             return reports.cancelled(self, problem)
         self._drag = None
         self.begin_modal(context)
-        context.workspace.status_text_set(_AIMING)
+        context.workspace.status_text_set(say(_AIMING))
         self._aim(context, event)
         return self._grab(context, event) if self.at_once else {'RUNNING_MODAL'}
 
@@ -231,7 +233,7 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
             self.cancel(context)
             return reports.failed(self, error, ob.name)
         context.window.cursor_modal_set('SCROLL_XY')
-        context.workspace.status_text_set(_PULLING.format(_OF_CURVES if ob.type == 'CURVE' else ""))
+        context.workspace.status_text_set(say(phrase(_PULLING, more=phrase(_OF_CURVES if ob.type == 'CURVE' else ""))))
         return self._pull(context, event)
 
     def _pull(self, context, event):
@@ -264,8 +266,10 @@ class SPLINEWRIGHT_OT_pull_here(Gesture, bpy.types.Operator):
         kept = "   Tangent kept" if self.keep_tangent and drag.ob.type == 'CURVE' and self.handle == 'POINT' else ""
         numbers = ", ".join(decimals.text_of(part) for part in self.vector)
         length = np.linalg.norm(self._typed())
-        locality = f"   Locality {self.locality:.1f}" if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
-        return f"Pull {self._named(drag.ob)} {decimals.text_of(length)} ({numbers}){drag.keys.words()}{locality}{kept}"
+        locality = phrase("   Locality {locality:.1f}",
+                          locality=self.locality) if drag.ob.type == 'MESH' or self.handle == 'POINT' else ""
+        return phrase("Pull {name} {length} ({numbers}){direction}{locality}{kept}",
+                      name=self._named(drag.ob), length=decimals.text_of(length), numbers=numbers, direction=drag.keys.words(), locality=locality, kept=kept)
 
     def _named(self, ob):
         words = {'TANGENT': "the tangent of ", 'CIRCLE': "the osculating circle of "} if ob.type == 'CURVE' else {}

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from ...bridge.data.file_state import state
 from ...core.base.failures import FAILURES, blenders_refusals, sentence
+from ...core.base.words import phrase, say
 
 #: Texts of one kind that are said; of others only how many there are.
 _MOST = 3
@@ -21,12 +22,16 @@ def finished(operator, said):
     """Report what was done, if there is anything to tell. Returns what the operator's execute() returns."""
     said = said._replace(warnings=(*said.warnings, *state.lost_keys))
     state.lost_keys.clear()
-    _report(operator, 'WARNING' if said.warnings else 'INFO', [in_words(said)])
+    _report(operator, 'WARNING' if said.warnings else 'INFO', _parts(said))
     return {'FINISHED'}
 
 
 def in_words(said):
-    return "; ".join(filter(None, [said.done, *_few(said.notes), *_few(said.warnings)]))
+    return "; ".join(_parts(said))
+
+
+def _parts(said):
+    return [*filter(None, [said.done, *_few(said.notes), *_few(said.warnings)])]
 
 
 def cancelled(operator, *reasons):
@@ -58,7 +63,7 @@ def called(operator, other, **settings):
 
 def named(name, text):
     """A sentence about an object that names it."""
-    return text if text.startswith(name) else f"{name}: {text}"
+    return text if text.startswith(name) else phrase("{name}: {text}", name=name, text=text)
 
 
 def by_name(texts):
@@ -72,15 +77,15 @@ def by_name(texts):
 def listed(names):
     """A, B, C and 4 more, of a list."""
     shown, more = names[:_MOST], len(names) - _MOST
-    return ", ".join(shown) + (f" and {more} more" if more > 0 else "")
+    return ", ".join(shown) + (phrase(" and {count} more", count=more) if more > 0 else "")
 
 
 def _few(texts):
     shown, more = list(texts[:_MOST]), len(texts) - _MOST
-    return shown + ([f"and {more} more"] if more > 0 else [])
+    return shown + ([phrase("and {count} more", count=more)] if more > 0 else [])
 
 
 def _report(operator, kind, texts):
-    text = "; ".join(filter(None, texts))
+    text = "; ".join(map(say, filter(None, texts)))
     if text:
         operator.report({kind}, text)

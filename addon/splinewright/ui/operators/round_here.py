@@ -9,6 +9,7 @@ from ...bridge.net import keyed
 from ...bridge.recipes import placing, recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, Refusal, blenders_refusals, sentence
+from ...core.base.words import phrase, say
 from ...core.recipes.table import RECIPES
 from .. import edges_overlay, picking
 from ..ui_state import ui_state
@@ -31,7 +32,7 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
             return False
         reason = "" if _is_rounded(context.object) else from_objects.lacking(context, _RECIPE)
         if reason:
-            cls.poll_message_set(reason)
+            cls.poll_message_set(say(reason))
         return not reason
 
     def invoke(self, context, event):
@@ -47,9 +48,9 @@ class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
     @property
     def hint(self):
         chosen = ui_state.rounding.chosen
-        count = "1 Edge" if len(chosen) == 1 else f"{len(chosen)} Edges"
-        enter = f"Enter: Round {count}   |   " if chosen else ""
-        return f"Click: Add or Remove an Edge   |   A: All or None   |   {enter}Esc, Right Mouse: Cancel"
+        count = "1 Edge" if len(chosen) == 1 else phrase("{count} Edges", count=len(chosen))
+        enter = phrase("Enter: Round {count}   |   ", count=count) if chosen else ""
+        return phrase("Click: Add or Remove an Edge   |   A: All or None   |   {enter}Esc, Right Mouse: Cancel", enter=enter)
 
     def look(self, context, event):
         number = edge_at(context, event.mouse_x, event.mouse_y, ui_state.rounding.lines)

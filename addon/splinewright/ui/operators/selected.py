@@ -5,6 +5,7 @@ from bpy.props import BoolProperty, StringProperty
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import phrase, say
 from .. import progress, texts
 from . import polls, reports
 
@@ -54,7 +55,7 @@ class OnSelected:
         if not polls.in_object_mode(cls, context):
             return False
         if not any(map(cls.fits, context.selected_objects)):
-            cls.poll_message_set(cls.needs)
+            cls.poll_message_set(say(cls.needs))
             return False
         return True
 
@@ -103,7 +104,7 @@ class OnSelected:
         return reports.Report(self.summary(outcomes))
 
     def summary(self, outcomes):
-        return self.done.format(list(outcomes)[0] if len(outcomes) == 1 else f"{len(outcomes)} objects")
+        return phrase(self.done, what=list(outcomes)[0] if len(outcomes) == 1 else phrase("{count} objects", count=len(outcomes)))
 
     def chosen(self, context):
         """The objects it is done with, one for each data-block: those that share one are changed together."""

@@ -3,6 +3,7 @@
 import bpy
 
 from ...bridge.edit import self_test
+from ...core.base.words import phrase, say
 from .. import progress
 from . import reports
 
@@ -24,7 +25,7 @@ class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
         print(said)
         context.window_manager.clipboard = said
         if failed:
-            return reports.cancelled(self, f"Failed: {', '.join(failed)}. All of it is in the clipboard")
+            return reports.cancelled(self, phrase("Failed: {names}. All of it is in the clipboard", names=', '.join(failed)))
         if not bpy.app.background:
             _show(context, lines)
         return reports.finished(self, reports.Report("Everything works: what was tried is in the clipboard"))
@@ -33,8 +34,8 @@ class SPLINEWRIGHT_OT_self_test(bpy.types.Operator):
 def _show(context, lines):
     def draw(popup, _context):
         for line in lines:
-            popup.layout.label(text=line)
-    context.window_manager.popup_menu(draw, title="Self-Test", icon='CHECKMARK')
+            popup.layout.label(text=say(line))
+    context.window_manager.popup_menu(draw, title=say("Self-Test"), icon='CHECKMARK')
 
 
 CLASSES = (SPLINEWRIGHT_OT_self_test,)

@@ -11,6 +11,7 @@ from ...bridge.net import live
 from ...bridge.recipes import recipes
 from ...bridge.shape import shape
 from ...core.base.failures import FAILURES, sentence
+from ...core.base.words import say
 from ...core.verbs import knots
 from .. import active_shape, editing, texts
 from ..ui_state import ui_state
@@ -40,7 +41,7 @@ class SPLINEWRIGHT_OT_set_knots(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         if _active_shape(context) is None:
-            cls.poll_message_set("Select a shape, or edit its net")
+            cls.poll_message_set(say("Select a shape, or edit its net"))
             return False
         return True
 

@@ -21,7 +21,7 @@ class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.restore"
     bl_label = "Restore"
     bl_description = "Make the mesh or curve again from the definition; changes made by hand are lost"
-    done = "Restored {}"
+    done = "Restored {what}"
 
     def work(self, context, ob):
         shape.restore(ob.data)
@@ -31,7 +31,7 @@ class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.detach"
     bl_label = "Detach"
     bl_description = "Keep a plain mesh or curve, and drop the definition"
-    done = "Detached {}"
+    done = "Detached {what}"
 
     def work(self, context, ob):
         point_keys.tell_lost(ob.data, point_keys.count(ob.data))
@@ -42,7 +42,7 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.make_editable"
     bl_label = "Apply Construction"
     bl_description = "Drop the recipe, or stop following another object; the definition stays and can be edited"
-    done = "{} can be edited"
+    done = "{what} can be edited"
 
     def work(self, context, ob):
         if not recipes.has(ob.data):
@@ -56,7 +56,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
     bl_label = "Apply Transform to NURBS"
     bl_description = "Move location, rotation and scale of the object into the definition; nothing moves on the screen"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
-    done = "Applied the transform of {}"
+    done = "Applied the transform of {what}"
 
     location: BoolProperty(name="Location", default=True, description="Apply the location")
     rotation: BoolProperty(name="Rotation", default=True, description="Apply the rotation")
@@ -70,7 +70,7 @@ class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.adopt_transform"
     bl_label = "Accept Applied Transform"
     bl_description = "The mesh or curve was moved as a whole, by Blender's Apply say: move the definition, too"
-    done = "Adopted the transform of {}"
+    done = "Adopted the transform of {what}"
 
     def work(self, context, ob):
         return transforming.adopt(ob.data, context.evaluated_depsgraph_get())

@@ -7,6 +7,7 @@ from bpy.props import EnumProperty
 
 from ...bridge.data.settings import overlays_of
 from ...bridge.edit import replace_pieces
+from ...core.base.words import say
 from .. import active_shape
 from . import reports
 
@@ -52,12 +53,12 @@ class SPLINEWRIGHT_OT_show_sight(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return SIGHTS[properties.sight].description
+        return say(SIGHTS[properties.sight].description)
 
     @classmethod
     def poll(cls, context):
         if active_shape.shape_of(context.object) is None and not active_shape.shapes(context):
-            cls.poll_message_set("Select a shape")
+            cls.poll_message_set(say("Select a shape"))
             return False
         return True
 

@@ -9,6 +9,7 @@ from bpy.props import BoolProperty
 from ...bridge.net import live, selection
 from ...core.base import typed_number
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase, say
 from .. import editing, picking, seeing, weight_overlay
 from ..ui_state import ui_state
 from . import reports
@@ -16,7 +17,7 @@ from .gesture import Gesture, Typing, redraw
 
 #: With Shift a gesture is so many times slower.
 FINE = 0.1
-_KEYS = "Move: {}   |   Digits: {}   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
+_KEYS = "Move: {moves}   |   Digits: {digits}   |   Ctrl: steps   |   Shift: finely   |   Esc, Right Mouse: as it was"
 
 
 class Sideways(Typing, Gesture):
@@ -104,7 +105,7 @@ class Sideways(Typing, Gesture):
         x = min(max(event.mouse_x, region.x), region.x + 0.8 * region.width)
         ui_state.weighing = weight_overlay.Weighing(region.as_pointer(), x, event.mouse_y, text, self.is_odd())
         self.write_header(self._area, ": ".join(filter(None, (text, self._problem))))
-        context.workspace.status_text_set(_KEYS.format(*self.means))
+        context.workspace.status_text_set(say(phrase(_KEYS, moves=phrase(self.means[0]), digits=phrase(self.means[1]))))
         redraw()
 
     def _select_at_mouse(self, context, event):

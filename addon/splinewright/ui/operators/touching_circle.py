@@ -8,6 +8,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
+from ...core.base.words import phrase, say
 from ...core.meets import touching
 from ...core.shape import transform
 from ...core.verbs import verbs
@@ -36,7 +37,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
             return False
         if cls.has_made(context) or any(map(_is_curve, context.selected_objects)):
             return True
-        cls.poll_message_set(_NEEDS)
+        cls.poll_message_set(say(_NEEDS))
         return False
 
     def tasks(self, context):
@@ -48,7 +49,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         try:
             found = self.result_of('circles', self._task(context))
             if self.number > len(found):
-                raise Refusal(f"{len(found)} circles touch them, there is none of number {self.number}")
+                raise Refusal("{count} circles touch them, there is none of number {number}", count=len(found), number=self.number)
             circle = found[self.number - 1]
             value = circle.arc if self.is_arc else sc.conics.circle(circle.center, circle.radius, circle.normal)
             data = shape.new_data("Touching Circle", value, new_shapes.start(self))
@@ -56,8 +57,9 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
             return reports.failed(self, error)
         ob = bpy.data.objects.new(data.name, data)
         add_in_front(context, ob, sources)
-        which = f"circle {self.number} of {len(found)}, " if len(found) > 1 else ""
-        return self.finished(context, reports.Report(f"{which}radius {decimals.text_of(circle.radius)}"))
+        which = phrase("circle {number} of {count}, ", number=self.number, count=len(found)) if len(found) > 1 else ""
+        return self.finished(context, reports.Report(phrase("{which}radius {radius}",
+                                                            which=which, radius=decimals.text_of(circle.radius))))
 
     def _task(self, context):
         """A function that gives the touching.Circles in the world, for a `cancel` as the library takes it. Raises Refusal."""
@@ -65,7 +67,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         curves = [curve for ob in context.selected_objects if _is_curve(ob) for curve in verbs.curves_of(transform.transformed(
             recipe_results.definition_of(ob, depsgraph), recipe_results.matrix_in(ob, None, depsgraph)))]
         if len(curves) != 3:
-            raise Refusal(f"{len(curves)} curves are selected: three are needed")
+            raise Refusal("{count} curves are selected: three are needed", count=len(curves))
         return lambda cancel: touching.circles(*curves, cancel)
 
     def draw(self, context):

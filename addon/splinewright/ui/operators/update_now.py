@@ -8,6 +8,7 @@ from ...bridge.follow import follow, updating
 from ...bridge.recipes import late
 from ...bridge.shape import shape
 from ...core.base.failures import Refusal
+from ...core.base.words import phrase, say
 from .. import hints, main_thread
 from ..finishing import Finishing, has_esc, redraw, timed
 from ..ui_state import ui_state
@@ -24,7 +25,7 @@ class SPLINEWRIGHT_OT_update_now(LongWork, OnSelected, bpy.types.Operator):
     bl_label = "Update Now"
     bl_description = "Make the selected shapes again from their inputs as they are now"
     needs = "Select a shape whose inputs changed since it was updated"
-    done = "Updated {}"
+    done = "Updated {what}"
 
     @staticmethod
     def fits(ob):
@@ -84,7 +85,7 @@ class SPLINEWRIGHT_OT_update_late(AtWork, bpy.types.Operator):
             said = self._finishing.sentence() + ("   |   Esc: stop" if has_esc() else "")
         if said != self._said:
             self._said = said
-            context.workspace.status_text_set(said)
+            context.workspace.status_text_set(say(said))
 
     def put_back(self):
         self._finishing.drop()
@@ -92,7 +93,7 @@ class SPLINEWRIGHT_OT_update_late(AtWork, bpy.types.Operator):
     def called_off(self):
         names = self._finishing.stop()
         hints.say_stopped()
-        return reports.stopped(self, f"The update of {reports.listed(names)} was stopped: Update Now makes it")
+        return reports.stopped(self, phrase("The update of {names} was stopped: Update Now makes it", names=reports.listed(names)))
 
     def end_modal(self, context):
         ui_state.finishing = None

@@ -3,6 +3,7 @@
 import bpy
 from bpy.props import EnumProperty
 
+from ...core.base.words import phrase, say
 from ..tool_table import TOOLS
 from . import reports
 
@@ -19,19 +20,19 @@ class SPLINEWRIGHT_OT_use_tool(bpy.types.Operator):
 
     @classmethod
     def description(cls, context, properties):
-        return TOOLS[properties.tool].description
+        return say(TOOLS[properties.tool].description)
 
     @classmethod
     def poll(cls, context):
         if bpy.app.background or context.area is None or context.area.type != 'VIEW_3D':
-            cls.poll_message_set("Tools are in the toolbar of 3D views")
+            cls.poll_message_set(say("Tools are in the toolbar of 3D views"))
             return False
         return True
 
     def execute(self, context):
         tool = TOOLS[self.tool]
         if context.mode not in tool.modes:
-            return reports.cancelled(self, f"the tool {tool.label} is not there in this mode")
+            return reports.cancelled(self, phrase("the tool {label} is not there in this mode", label=phrase(tool.label)))
         return bpy.ops.wm.tool_set_by_id(name=tool.idname, space_type='VIEW_3D')
 
 

@@ -11,6 +11,7 @@ from ...bridge.net import live, selection, weighing
 from ...bridge.recipes import recipes
 from ...core.base import decimals
 from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase, say
 from .. import editing
 from . import reports
 from .sideways import FINE, Sideways, scaled
@@ -40,9 +41,9 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
     def poll(cls, context):
         nets = editing.nets_in_edit_mode(context)
         if not nets:
-            cls.poll_message_set("Edit the net of a Splinewright shape first")
+            cls.poll_message_set(say("Edit the net of a Splinewright shape first"))
         elif not any(map(has_weights, nets)):
-            cls.poll_message_set("The shape is made by a recipe: use Apply Construction first")
+            cls.poll_message_set(say("The shape is made by a recipe: use Apply Construction first"))
         return any(map(has_weights, nets))
 
     def draw(self, context):
@@ -93,8 +94,8 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
 
     def text(self, typed):
         if self.kind == 'SCALE':
-            return f"Weights × {self.factor:.4g}"
-        return f"Weight {typed or f'{self.weight:.4g}'}"
+            return phrase("Weights × {factor:.4g}", factor=self.factor)
+        return phrase("Weight {number}", number=typed or f"{self.weight:.4g}")
 
     def _numbers(self, weights):
         """The new weights for weights (k,). Raises Refusal where that is 0."""
@@ -125,7 +126,9 @@ class SPLINEWRIGHT_OT_weight_here(Sideways, bpy.types.Operator):
             return reports.finished(self, reports.Report("Nothing changed", warnings=(sentence(error),)))
         count = sum(len(vertices) for _, vertices, _ in chosen)
         text = f"{self.weight:.4g}" if self.kind == 'SET' else f"× {self.factor:.4g}"
-        return reports.finished(self, reports.Report(f"Weight of {count} points: {text}" if count > 1 else f"Weight: {text}"))
+        return reports.finished(self, reports.Report(phrase("Weight of {count} points: {text}",
+                                                            count=count, text=text) if count > 1 else phrase("Weight: {text}",
+                                                                                                                  text=text)))
 
 
 def moved(base, doublings, step=0.0):

@@ -7,7 +7,7 @@ import pytest
 import splinecore as sc
 from addon_core import ADDON, core
 
-words, reading, measures, lessons = (core(f"lessons.{name}") for name in ('words', 'reading', 'measures', 'lesson'))
+in_words, reading, measures, lessons = (core(f"lessons.{name}") for name in ('in_words', 'reading', 'measures', 'lesson'))
 FILES = sorted((ADDON / "lessons").glob("*.json"))
 LINE = sc.BezierCurve([(0, 0, 0), (2, 4, 0)])
 SHAPES = {'line': measures.Shown(LINE, {'first_weight': 3.0}), 'other': measures.Shown(LINE.translated((0, 0, 2)), {}), 'half': measures.Shown(LINE, {'position': 0.5})}
@@ -18,7 +18,7 @@ def of(kind, shape="line", **arguments):
 
 
 def answer(ask, hint="Look again."):
-    return words.answer(lessons.Step("?", ask=ask, hint=hint), SHAPES)
+    return in_words.answer(lessons.Step("?", ask=ask, hint=hint), SHAPES)
 
 
 @pytest.mark.parametrize('measure, said', (
@@ -46,7 +46,7 @@ def test_every_step_of_the_add_on_speaks_of_shapes_that_are_there(path):
     lesson, known = reading.read(path.read_text(encoding="utf-8")), set()
     for number, step in enumerate(lesson.steps, 1):
         known |= {one.shape for one in step.make}
-        spoken = words.spoken_of(lesson.steps[:number])
+        spoken = in_words.spoken_of(lesson.steps[:number])
         assert spoken and set(spoken) <= known and len(set(spoken)) == len(spoken)
         assert not step.move or spoken[0] == step.move[0].shape
 
@@ -58,4 +58,4 @@ def test_what_is_moved_is_first_and_other_shapes_are_found_wherever_they_are_nam
               'watch': [{'text': "{0}", 'values': [{'measure': "distance", 'of': "a", 'to': "d"}]}]},
              {'text': "Three.", 'ask': {'point': [0], 'of': "b"}}, {'text': "Four.", 'ask': {'choose': ["x", "y"], 'right': 0}}]
     read = reading.read(json.dumps({'format': 1, 'name': "n", 'title': "t", 'steps': steps})).steps
-    assert [words.spoken_of(read[:count]) for count in range(5)] == [(), ("a", "b", "c", "d"), ("c", "a", "d"), ("b",), ("b",)]
+    assert [in_words.spoken_of(read[:count]) for count in range(5)] == [(), ("a", "b", "c", "d"), ("c", "a", "d"), ("b",), ("b",)]

@@ -1,5 +1,6 @@
 """What a step of a lesson speaks of, and the answer to its question in words."""
 
+from ..base.words import phrase
 from .lesson import Measure
 from .measures import measured
 
@@ -32,22 +33,28 @@ def answer(step, shapes):
     """The answer to the question of a step, and its hint; shapes: {name: measures.Shown} after the solution was made. Raises what
     measured() raises."""
     said = _SAID[step.ask.kind](step.ask, shapes)
-    return f"{said}. {step.hint}" if step.hint else f"{said}."
+    return phrase("{answer}. {hint}", answer=said, hint=phrase(step.hint)) if step.hint else phrase("{answer}.", answer=said)
 
 
 def _deed(ask, shapes):
-    found = [f"{_named(one.measure, shapes)} is {_number(one.measure, shapes)}" for one in ask.conditions]
-    return f"The solution is made: {', '.join(found)}"
+    found = [phrase("{measure} is {value}", measure=_named(one.measure, shapes), value=_number(one.measure, shapes)) for one in ask.conditions]
+    return phrase("The solution is made: {found}", found=", ".join(found))
 
 
 def _points(ask, _shapes):
-    text = "The point is" if len(ask.points) == 1 else "The points are"
-    return f"{text} {', '.join(map(str, sorted(ask.points)))}, counted from 0"
+    points = ", ".join(map(str, sorted(ask.points)))
+    if len(ask.points) == 1:
+        return phrase("The point is {points}, counted from 0", points=points)
+    return phrase("The points are {points}, counted from 0", points=points)
+
+
+def _choice(ask, _shapes):
+    return phrase("The answer is: {choice}", choice=phrase(ask.choices[ask.right]))
 
 
 _SAID = {
-    'do': _deed, 'number': lambda ask, shapes: f"The answer is {_number(ask.value, shapes)}",
-    'choose': lambda ask, _shapes: f"The answer is: {ask.choices[ask.right].rstrip('.')}", 'point': _points}
+    'do': _deed, 'number': lambda ask, shapes: phrase("The answer is {value}", value=_number(ask.value, shapes)),
+    'choose': _choice, 'point': _points}
 
 
 def _number(value, shapes):
