@@ -49,7 +49,7 @@ def _points(ask, _shapes):
 
 
 def _choice(ask, _shapes):
-    return phrase("The answer is: {choice}", choice=phrase(ask.choices[ask.right]))
+    return phrase("The answer is: {choice}", choice=phrase(ask.choices[ask.right].rstrip(".")))
 
 
 _SAID = {
