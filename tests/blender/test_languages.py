@@ -40,7 +40,7 @@ def switch(language):
 
 def refused():
     """What Delete Pieces says of a piece that is not there."""
-    ob = add('curve')
+    ob = add(sc.BezierCurve([(0, 0, 0), (1, 0, 0), (1, 1, 0)]))
     bpy.context.view_layer.objects.active = ob
     with pytest.raises(RuntimeError) as error:
         bpy.ops.splinewright.delete_pieces('EXEC_DEFAULT', True, piece=7)
