@@ -11,7 +11,7 @@ _TOKEN = re.compile(r'R?"((?:[^"\\]|\\.)*)"|([()\[\]{},;])|(\'(?:[^\'\\]|\\.)\')
 
 
 def patterns():
-    """{pattern: path} of every sentence, with {a}, {b} ... for what is filled in."""
+    """{pattern: path} of every sentence, with {a}, {b} ... for the filled values."""
     found = {}
     for folder in ("src", "include", "bindings"):
         for path in sorted((NATIVE / folder).rglob("*.?pp")):
@@ -25,7 +25,7 @@ def patterns():
 
 
 def _pattern(text):
-    """The first argument of a call as a pattern, or "" where it has no words of its own."""
+    """The first argument of a call as a pattern, or "" where it has no words."""
     parts, depth, is_hole = [], 0, False
     for literal, mark, _, other in _TOKEN.findall(text):
         if mark in ("(", "[", "{"):

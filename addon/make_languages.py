@@ -1,10 +1,10 @@
 """The catalog of everything that users read, and the translations that are made from it.
 
-    make_languages.py            writes languages/splinewright.pot anew, and brings what is new into the .po files beside it
+    make_languages.py            writes languages/splinewright.pot, and adds new texts to the .po files beside it
     make_languages.py LANGUAGE   begins a file for another language, such as de
 
-A text is a string in double quotes that reads as words: identifiers stand in single quotes throughout the add-on. What is put together
-when Blender starts stands in composed_texts.txt. Texts of lessons come from their files, errors of the library from where they are thrown.
+A text is a string in double quotes that reads as words: identifiers stand in single quotes throughout the add-on. Texts that are put
+together when Blender starts stand in composed_texts.txt. Texts of lessons come from their files, errors of the library from where they are thrown.
 """
 
 import ast
@@ -176,6 +176,8 @@ class _File:
 def is_text(value):
     """Whether a string reads as words: a sentence, or a word that begins with a capital."""
     bare = re.sub(r"\{[^}]*\}", "", value)
+    if ";\n" in value:                  # a shader
+        return False
     if value.startswith("3D View") or not re.search(r"[A-Za-z]{2,}", bare) or re.fullmatch(r"[\w.]+\.[\w.*]+|SPLINEWRIGHT_\w+|[A-Z]+(_[A-Z0-9]+)+|[\w/.*]+\.\w{2,5}", value):
         return False
     return " " in value.strip() or re.match(r"[A-Z][a-z]", value) is not None

@@ -97,7 +97,7 @@ _ESCAPE = re.compile(r"\\(.)")
 
 
 def read(text):
-    """The Catalog of a .po file's text. What is not translated, or marked as unsure, is left out; obsolete entries are comments there."""
+    """The Catalog of a .po file's text, without texts that have no translation or one marked as unsure. Obsolete entries are comments there."""
     texts, plurals, rule = {}, {}, None
     for comments, context, original, plural, translated, _ in _ENTRY.findall(text.replace("\r\n", "\n")):
         forms = [_plain(form) for form in _FORM.findall(translated)]
