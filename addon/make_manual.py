@@ -21,7 +21,7 @@ PROJECT = Path(__file__).resolve().parent.parent
 SOURCE = PROJECT / "addon/manual"
 #: In the order in which they are read.
 PAGES = ("index", "five-minutes", "workflows", "choosing", "tools", "keyboard", "nets", "curves", "surfaces", "modify", "continuity",
-         "seeing", "following", "animation", "shapes", "teaching", "files", "python", "preferences", "performance", "troubleshooting")
+         "seeing", "following", "animation", "shapes", "teaching", "lectures", "files", "python", "preferences", "performance", "troubleshooting")
 #: Files that the README links and the add-on brings, by where they lie in the project.
 _BROUGHT = {"LICENSE": "../LICENSE", "addon/splinewright/CHANGELOG.md": "../CHANGELOG.md"}
 #: Pictures are no wider, in pixels, and as good as this, of 100.

@@ -146,7 +146,7 @@ def test_functions_ticks_and_levels_have_their_labels():
     activate(add(sc.BezierCurve(corners), "curve"))
     bpy.ops.splinewright.add_construction('EXEC_DEFAULT', True, scheme='casteljau', position=0.5)
     found = dict(labels_of(bpy.context.object))
-    assert list(found) == ["P_0", "P_1", "P_2", "P_3", "M_01", "M_12", "M_23", "M_012", "M_123"]
+    assert list(found) == ["P_0", "P_1", "P_2", "P_3", "M_01", "M_12", "M_23", "M_012", "M_123", "M_0123"]
     assert found["M_12"] == (1.5, 2.0, 0.0) and found["M_012"] == (1.0, 1.5, 0.0)
 
 

@@ -256,7 +256,7 @@ def test_windows_wait_until_it_is_so_and_never_a_fixed_time():
 
 
 def test_no_file_is_longer_than_500_lines():
-    for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/*.py"):
+    for pattern in ("native/**/*.?pp", "addon/**/*.py", "tests/**/*.py", "tests/**/*.?pp", "blend_samples/**/*.py"):
         for path in PROJECT.glob(pattern):
             assert len(path.read_text().splitlines()) <= 500, path
 

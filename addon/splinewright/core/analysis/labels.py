@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..formulas import functions, orders, signs
+from ..formulas import functions, orders, signs, teaching
 from ..shape import definition as definitions
 from ..shape import parameters
 from ..verbs import verbs
@@ -69,7 +69,8 @@ def _range(numbers):
 
 def _of_picture(definition):
     found, named = [], set()
-    for piece, curve in zip(definition.pieces, verbs.curves_of(definition)):
+    curves = verbs.curves_of(definition)
+    for piece, curve in zip(definition.pieces, curves):
         kind, _, rest = piece.name.partition(" ")
         if kind == functions.TICK:
             found.append(Label("", "", rest, tuple(curve.points[0].tolist()), piece.name))
@@ -79,6 +80,8 @@ def _of_picture(definition):
             found.append(Label("", "", rest, _below(curve), piece.name))
         elif kind == "level":
             found += _of_level(piece.name, int(rest), curve.points)
+        elif kind == teaching.POINT:
+            found += _of_last_level(definition.pieces, curves, piece.name, curve.points)
         elif piece.name.endswith("}") and piece.name not in named:
             named.add(piece.name)
             base, below = piece.name[:-1].split("_{")
@@ -90,6 +93,15 @@ def _of_level(part, level, points):
     """P_i, M_{01}, M_{012}: by the control points that they come from."""
     name = "P" if level == 0 else "M"
     return [Label(name, "".join(map(str, range(i, i + level + 1))), "", tuple(point.tolist()), part) for i, point in enumerate(points)]
+
+
+def _of_last_level(pieces, curves, part, circle):
+    """The point that all control points lead to, where a polygon says how many there are."""
+    counts = [int(piece.name.partition(" ")[2]) + len(curve.points) - 1 for piece, curve in zip(pieces, curves) if piece.name.startswith("level ")]
+    if not counts:
+        return []
+    middle = (circle.min(axis=0) + circle.max(axis=0)) / 2.0
+    return [Label("M", "".join(map(str, range(max(counts) + 1))), "", tuple(middle.tolist()), part)]
 
 
 def _below(curve):

@@ -10,6 +10,9 @@ from ..verbs import verbs
 from . import signs
 from .functions import Part
 
+#: What the circle around the point that is found is called.
+POINT = "point"
+
 
 def curves_of(definition):
     """The curves of a definition. Raises Refusal where there are none."""
@@ -54,7 +57,7 @@ def construction(curve, position, scheme, marker, first=0, last=None):
     shown = [Part(f"level {number}", polyline) for number in range(first, last + 1) for polyline in signs.polygon(levels[number])]
     point = _point(curve, u)
     if marker > 0.0 and point is not None and (last == highest or not shown):
-        shown.append(Part("point", sc.conics.circle(point, marker)))
+        shown.append(Part(POINT, sc.conics.circle(point, marker)))
     if not shown:
         raise Refusal("level {last} is a point: a marker with a radius shows it", last=last)
     return shown
