@@ -67,7 +67,7 @@ PICTURES = (
     Picture("001.65a", "De Casteljau, the first step: M01, M12, M23", 3, _level(1)),
     Picture("001.65b", "De Casteljau, the second step: M012, M123", 3, _level(2)),
     Picture("001.65c", "De Casteljau, the third step: M0123", 3, _level(3)),
-    Picture("001.65d", "Halving goes on until the polygon is smooth", 2,
+    Picture("001.65d", "Repeated halving makes the polygon smooth", 2,
             (add('bezier_curve', degree=3), add('halving', steps=3, distance=2.4))),
     Picture("001.66", "Hermite and Bezier compared", 7,
             (add('bezier_curve', degree=3), add('bezier_curve', degree=3, location=(2.8, 0.0, 0.0)), call('to_hermite'),

@@ -18,8 +18,8 @@ LECTURES = {'000': "Parametric Curves", '001': "Graphics and Surfaces", '002': "
 _HEAD = """# Pictures of the lectures
 
 The {count} pictures of the lectures in their order, each with the steps that make it from an empty scene. A step is an entry of the menu
-*Add*, of *NURBS > Teaching* or another command with what is typed into its fields, an overlay, a click or a key. What a field is not
-named for stays as it comes. All shapes stay alive: move a point, change a number in the panel *Construction*, and the picture follows.
+*Add*, of *NURBS > Teaching* or another command with the values of its fields, an overlay, a click or a key. Fields that are not
+named keep their values. All shapes stay alive: move a point, change a number in the panel *Construction*, and the picture follows.
 [Teaching](teaching.md) describes the commands.
 """
 #: What a step is called where its operator does not say it.
@@ -35,6 +35,8 @@ _WORDS = {
     'splinewright.add_construction': "*Construction of a Point*", 'splinewright.add_chain_points': "*Chain Points*", 'splinewright.add_hulls': "*Convex Hulls*",
     'splinewright.add_halving': "*Halved Polygons*", 'splinewright.add_marks': "*Marks on a Curve*", 'splinewright.add_orders': "*Orders of Points*",
     'splinewright.add_revolve': "*Revolve*", 'object.shade_flat': "*Shade Flat*", 'object.shade_smooth': "*Shade Smooth*"}
+#: Fields whose label is not the name that scripts use.
+_FIELDS = {'parametrisation': "spacing"}
 _OVERLAYS = {'NET': "Control Net", 'LABELS': "Labels", 'KNOTS': "Knots", 'COMB': "Curvature Comb", 'HODOGRAPH': "Hodograph", 'ISOCURVES': "Isocurves"}
 
 
@@ -78,7 +80,7 @@ def _counted(word, numbers, first):
 
 
 def _field(name, value):
-    return f"{name.replace('_', ' ')} {_value(value)}"
+    return f"{_FIELDS.get(name, name.replace('_', ' '))} {_value(value)}"
 
 
 def _value(value):
