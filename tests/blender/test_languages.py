@@ -13,12 +13,12 @@ words, failures, languages, reports, shelf, checking = (part(name) for name in (
     'core.base.words', 'core.base.failures', 'ui.languages', 'ui.operators.reports', 'bridge.lessons.shelf', 'core.lessons.checking'))
 #: For each language what stands in its file for some texts.
 SAID = {
-    'it_IT': ("Inserisci nodo", "Aggiungi un nodo, e con esso", "Lezioni", "Taglio degli angoli", "la forma ha 1 pezzo, non c'è il numero 7",
-              "Nodi inseriti: Curve", "knots ha 2 valori: per il grado 3 ne servono almeno 5"),
-    'pl_PL': ("Wstaw węzeł", "Dodaj węzeł, a z nim", "Lekcje", "Obcinanie narożników", "kształt ma 1 kawałek, nie ma kawałka numer 7",
-              "Wstawiono węzły: Curve", "knots ma wartości: 2; dla stopnia 3 potrzeba co najmniej 5"),
-    'ru_RU': ("Вставить узел", "Добавить узел, а с ним", "Уроки", "Срезание углов", "в форме 1 часть, номера 7 нет",
-              "Узлы вставлены: Curve", "в knots значений: 2; для степени 3 нужно не меньше 5"),
+    'it_IT': ("Inserisci nodo", "Aggiunge un nodo, e con esso", "Esercitazioni", "Taglio degli angoli", "la forma ha 1 pezzo, non ce n'è uno di numero 7",
+              "Nodi inseriti: Curve", "knots ha 2 valori, ne servono almeno 5 per il grado 3"),
+    'pl_PL': ("Wstaw węzeł", "Dodaj węzeł, a z nim", "Lekcje", "Obcinanie narożników", "kształt ma 1 część, nie ma części nr 7",
+              "Wstawiono węzły: Curve", "knots ma wartości: 2, dla stopnia 3 potrzeba co najmniej 5"),
+    'ru_RU': ("Вставить узел", "Добавить узел, а с ним", "Уроки", "Срезание углов", "в фигуре 1 кусок, куска с номером 7 нет",
+              "Узлы вставлены: Curve", "knots содержит 2 значений, для степени 3 нужно не менее 5"),
     'en_US': ("Insert Knot", "Add a knot, and with it", "Lessons", "Corner Cutting", "the shape has 1 piece, there is none of number 7",
               "Inserted knots into Curve", "knots has 2 values, at least 5 are needed for degree 3"),
 }

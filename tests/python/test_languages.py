@@ -197,3 +197,10 @@ def test_glossaries_of_terms_are_complete():
     rows = [[cell.strip() for cell in line.strip("|\n ").split("|")] for line in page.splitlines() if line.startswith("| ")][2:]
     assert len(rows) >= 120 and all(len(row) == 4 and all(row) for row in rows)
     assert max(Counter(row[0] for row in rows).values()) == 1
+
+
+def test_a_phrase_keeps_no_exception_alive():
+    words = core('base.words')
+    error = OSError("no such file")
+    said = words.phrase("{name} cannot be read: {error}", name="a", error=error)
+    assert said == "a cannot be read: no such file" and error not in said.arguments.values()

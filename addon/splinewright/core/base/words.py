@@ -22,8 +22,14 @@ def phrase(pattern, /, one="", **arguments):
     """The sentence of a pattern with {names} of arguments. one: the pattern where `count` is 1."""
     if isinstance(pattern, Phrase) and not arguments:
         return pattern
+    arguments = {name: _text_of(value) if isinstance(value, BaseException) else value for name, value in arguments.items()}
     chosen = one if one and arguments.get('count') == 1 else pattern
     return Phrase(chosen.format(**arguments) if arguments else chosen, pattern, one, arguments)
+
+
+def _text_of(error):
+    """The sentence of an exception, which must not be kept: it holds all that was alive where it was raised."""
+    return error.args[0] if error.args and isinstance(error.args[0], Phrase) else str(error)
 
 
 def _silence():
@@ -90,6 +96,4 @@ def _filled(catalog, translation, arguments):
 
 def _argument(catalog, value):
     """What fills a pattern: phrases are translated, and sentences are recognized; a single word may be a user's name."""
-    if isinstance(value, BaseException):
-        value = value.args[0] if value.args and isinstance(value.args[0], str) else str(value)
     return _say(catalog, value) if isinstance(value, Phrase) or (isinstance(value, str) and " " in value) else value
