@@ -31,6 +31,8 @@ _SILENT = {'print', 'getLogger', 'property', 'parser', 'warn', 'deepcopy', 'star
 _DOCUMENTS = ("core/formulas/formulas.py", "core/formulas/patch_formulas.py", "core/formulas/spline.py", "core/formulas/triangles.py",
               "core/formulas/written.py", "core/formulas/signs.py", "core/formulas/chain_points.py", "core/base/self_test.py",
               "bridge/edit/self_test.py", "core/lessons/answers.py")
+#: What looks like words and is none: a path of data, a name of a class or choice, a file.
+_IDENTIFIER = re.compile(r"[\w.]+\.[\w.*]+|SPLINEWRIGHT_\w+|[A-Z]+(_[A-Z0-9]+)+|[\w/.*]+\.\w{2,5}")
 _COUNT = re.compile(r"\{count[:}!]")
 
 
@@ -136,7 +138,8 @@ class _File:
         if isinstance(above, ast.keyword):
             return above.arg == 'one'
         siblings = above.args if isinstance(above, ast.Call) else above.elts if isinstance(above, ast.Tuple) else ()
-        return len(siblings) > 1 and node is siblings[1] and isinstance(siblings[0], ast.Constant) and isinstance(siblings[0].value, str) and self._one(siblings[0]) == node.value
+        first = siblings[0] if len(siblings) > 1 and node is siblings[1] else None
+        return isinstance(first, ast.Constant) and isinstance(first.value, str) and self._one(first) == node.value
 
     def _one(self, node):
         """The form for 1 of a pattern, or ""."""
@@ -178,7 +181,7 @@ def is_text(value):
     bare = re.sub(r"\{[^}]*\}", "", value)
     if ";\n" in value:                  # a shader
         return False
-    if value.startswith("3D View") or not re.search(r"[A-Za-z]{2,}", bare) or re.fullmatch(r"[\w.]+\.[\w.*]+|SPLINEWRIGHT_\w+|[A-Z]+(_[A-Z0-9]+)+|[\w/.*]+\.\w{2,5}", value):
+    if value.startswith("3D View") or not re.search(r"[A-Za-z]{2,}", bare) or _IDENTIFIER.fullmatch(value):
         return False
     return " " in value.strip() or re.match(r"[A-Z][a-z]", value) is not None
 

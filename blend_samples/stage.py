@@ -23,7 +23,7 @@ PALETTE = {
 ROUGHNESS = {'porcelain': 0.12, 'cobalt': 0.12, 'tea': 0.04, 'jam': 0.1, 'silver': 0.18, 'biscuit': 0.7, 'cloth': 0.8}
 METALS = {'silver'}
 #: Of so many samples of a picture a draft has one, and of its sides this much.
-DRAFT, DRAFT_PERCENTAGE = 8, 50
+DRAFT, DRAFT_PERCENTAGE = 4, 50
 #: Where the paper of a drawing lies.
 PAPER = -0.05
 _rows = []

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 
 class Step(NamedTuple):
-    """A call of an operator of Blender or of ours; or one of two words for what only a mouse says."""
+    """A call of an operator of Blender or of ours; or one of two words for what only a mouse does."""
 
     operator: str
     settings: dict

@@ -1,5 +1,7 @@
 """What is stored of a net, damaged: a sentence where it is shown, and nothing else stops or is lost."""
 
+import traceback
+
 import bmesh
 import bpy
 import numpy as np
@@ -193,3 +195,18 @@ def test_a_net_whose_object_became_of_another_kind_is_kept():
     handlers.undone()
     drawn()
     assert held.name in bpy.data.objects and ob.data.splinewright.value == value
+
+
+def test_asking_for_a_damaged_net_again_and_again_keeps_nothing():
+    add(VALUES['nurbs patch']())
+    held = enter()
+    group(held)['definition'] = 3
+    file_state.forget()
+    depths, sentences = set(), set()
+    for _ in range(10):
+        with pytest.raises(net_object.DamagedNet, match="damaged") as error:
+            live.session(held.data)
+        depths.add(len(list(traceback.walk_tb(error.value.__traceback__))))
+        sentences.add(str(error.value))
+    assert len(depths) == len(sentences) == 1, depths
+    assert not any(isinstance(kept, BaseException) for kept in file_state.state.sessions.values())

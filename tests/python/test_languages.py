@@ -204,3 +204,14 @@ def test_a_phrase_keeps_no_exception_alive():
     error = OSError("no such file")
     said = words.phrase("{name} cannot be read: {error}", name="a", error=error)
     assert said == "a cannot be read: no such file" and error not in said.arguments.values()
+
+
+def test_a_count_is_recognized_by_its_digits_alone():
+    words, catalog = core('base.words'), core('base.catalog')
+    polish = catalog.read((FOLDER / "pl.po").read_text(encoding="utf-8"))
+    words.use(lambda: polish)
+    try:
+        assert words.say("7 curves").startswith("7 ") and words.say("7 curves") != "7 curves"
+        assert words.say("Odd curves") == "Odd curves" and words.say("NURBS curve") == "krzywa NURBS"
+    finally:
+        words.use(None)

@@ -67,20 +67,20 @@ def _draw_points(layout, ob, session, has_weights):
     if not vertices:
         box.label(text="Select points to edit them")
         return
-    box.label(text=say(phrase("{count} of {int} points and handles", count=len(vertices), int=int((session.net.rows >= 0).sum()))))
+    box.label(text=say(phrase("{count} of {whole} points and handles", count=len(vertices), whole=int((session.net.rows >= 0).sum()))))
     points = data.splinewright_points
     box.row(align=True).prop(points, "space", expand=True)
     if len(vertices) > 1:
         column = box.column(align=True)
         column.label(text="Median")
         for axis in range(3):
-            column.prop(points, "median", index=axis, text=say("XYZ"[axis]))
+            column.prop(points, "median", index=axis, text="XYZ"[axis])
     for i, vertex in enumerate(vertices[:net_props.SHOWN]):
         column = box.column(align=True)
         column.label(text=say(name_of(session.net, vertex)))
         axes = column.row(align=True) if len(vertices) > _IN_COLUMNS else column
         for axis in range(3):           # the text is what Undo History says
-            axes.prop(points, "numbers", index=4 * i + axis, text=say("XYZ"[axis]))
+            axes.prop(points, "numbers", index=4 * i + axis, text="XYZ"[axis])
         if has_weights and session.net.weighted[vertex]:
             column.prop(points, "numbers", index=4 * i + 3, text="Weight")
     hidden = len(vertices) - net_props.SHOWN

@@ -188,10 +188,10 @@ def session(data):
             begin(data, net_object.net_of(net_object.source(data)))
             state.sessions[token].stages = stages.stored(data, state.sessions[token].made_with)
         except net_object.DamagedNet as error:
-            state.sessions[token] = error
+            state.sessions[token] = error.args[0]   # the exception itself would keep what was alive where it was raised
     found = state.sessions[token]
-    if isinstance(found, Exception):
-        raise found
+    if isinstance(found, str):
+        raise net_object.DamagedNet(found)
     return found
 
 

@@ -78,7 +78,8 @@ def _expression(pattern):
     for hole in _HOLE.finditer(pattern):
         expression += re.escape(pattern[end:hole.start()].replace("{{", "{").replace("}}", "}"))
         name = hole[1]
-        expression += f"(?P={name})" if name in seen else f"(?P<{name}>.+?)"
+        filled = r"\d[\d,]*" if name == "count" else ".+?"
+        expression += f"(?P={name})" if name in seen else f"(?P<{name}>{filled})"
         seen.add(name)
         end = hole.end()
     return re.compile(expression + re.escape(pattern[end:].replace("{{", "{").replace("}}", "}")), re.S)

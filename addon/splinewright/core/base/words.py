@@ -5,6 +5,8 @@ with {count} has as many forms as the language has for that number. What was put
 recognized by the patterns of the catalog.
 """
 
+from functools import lru_cache
+
 
 class Phrase(str):
     """An English sentence that knows the pattern it was filled from."""
@@ -54,8 +56,12 @@ def say(text):
 
 
 def _say(catalog, text):
-    if isinstance(text, Phrase):
-        return _said(catalog, text)
+    return _said(catalog, text) if isinstance(text, Phrase) else _found(catalog, text)
+
+
+@lru_cache(maxsize=2000)
+def _found(catalog, text):
+    """A text as it is shown: panels ask for the same ones at every redraw."""
     found = catalog.find(text)
     if found is None and " " in text:
         found = _recognized(catalog, text) or _parts(catalog, text)

@@ -7,6 +7,9 @@ from ..base.words import phrase
 #: Knots below this part of the largest one are shown as 0.
 _ROUNDING = 1e-12
 KINDS = {'bezier': "Bezier", 'hermite': "Hermite", 'nurbs': "NURBS"}
+_ONE = {('bezier', "curve"): "Bezier curve", ('hermite', "curve"): "Hermite curve", ('nurbs', "curve"): "NURBS curve",
+        ('bezier', "patch"): "Bezier patch", ('hermite', "patch"): "Hermite patch", ('nurbs', "patch"): "NURBS patch"}
+_KNOTS = {'periodic': "{number}, periodic", 'clamped': "{number}, clamped", 'unclamped': "{number}, unclamped"}
 
 
 def lines(definition):
@@ -16,13 +19,13 @@ def lines(definition):
     if len(pieces) > 1:
         return _summary(definition, noun)
     piece = pieces[0]
-    found = [("Kind", f"{KINDS[piece.kind]} {noun}"),
+    found = [("Kind", _ONE[piece.kind, noun]),
              ("Degree", _times(degrees(piece))),
              ("Points", _times(_counts(piece, noun)))]
     if piece.kind == 'nurbs':
         names = [""] if noun == "curve" else [" U", " V"]
         for name, knots, degree, periodic in zip(names, piece.knots, piece.degree, piece.periodic):
-            found.append((phrase("Knots{name}", name=name), f"{len(knots)}, {knot_type(knots, degree, periodic)}"))
+            found.append((phrase("Knots{name}", name=name), phrase(_KNOTS[knot_type(knots, degree, periodic)], number=len(knots))))
             found.append(("", knots_text(knots)))
     if is_rational(definition):
         found.append(("Weights", "rational"))
@@ -32,8 +35,8 @@ def lines(definition):
 def _summary(definition, noun):
     kinds = sorted({KINDS[piece.kind] for piece in definition.pieces})
     of_all = sorted({degrees(piece) for piece in definition.pieces})
-    plural = "curves" if noun == "curve" else "patches"
-    found = [("Kind", f"{len(definition.pieces)} {', '.join(kinds)} {plural}"),
+    pattern = "{count} {kinds} curves" if noun == "curve" else "{count} {kinds} patches"
+    found = [("Kind", phrase(pattern, count=len(definition.pieces), kinds=", ".join(kinds))),
              ("Degrees", ", ".join(_times(d) for d in of_all)),
              ("Points", phrase("{count} in the pool", count=len(definition.pool)))]
     if is_rational(definition):
