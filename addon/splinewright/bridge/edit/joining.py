@@ -126,7 +126,7 @@ def _naming(active, other):
     except AboutInputs as error:
         if active != other:
             raise error.named([active.name, other.name]) from error
-        raise Refusal(error.text.removeprefix("{}, {}: ").removeprefix("{}: ").format()) from error
+        raise Refusal(error.arguments.get('reason') or error.args[0]) from error
 
 
 def linear_of(ob):

@@ -94,7 +94,8 @@ def _why_value(ob, stored, names, depsgraph):
         if not _starts(stored) and stored.recipe.has_groups:
             return "its points were moved"
         if not _starts(stored) and len(stored.points) > reading.MOST_ENTRIES:
-            return f"it has {len(stored.points)} points, and {reading.MOST_ENTRIES} are the most"
+            return phrase("it has {number} points, and {most_entries} are the most",
+                          number=len(stored.points), most_entries=reading.MOST_ENTRIES)
         is_turned = not np.allclose(placing.world(ob, depsgraph)[:3, :3], np.eye(3), rtol=1e-6, atol=1e-6)
         return "it was turned or scaled" if is_turned else ""
     if None in stored.sources:

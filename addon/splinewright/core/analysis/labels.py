@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..base.words import phrase
 from ..formulas import functions, orders, signs, teaching
 from ..shape import definition as definitions
 from ..shape import parameters
@@ -29,7 +30,7 @@ def of(definition):
     """The Labels of a definition; where there are too many one that says so."""
     is_picture = definition.has_curves and any(piece.name for piece in definition.pieces)
     found = _of_picture(definition) if is_picture else [*_of_points(definition), *_of_knots(definition)]
-    return found if len(found) <= MOST else [Label("", "", f"{len(found):,} names: too many to write", found[0].point)]
+    return found if len(found) <= MOST else [Label("", "", phrase("{number:,} names: too many to write", number=len(found)), found[0].point)]
 
 
 def _of_points(definition):

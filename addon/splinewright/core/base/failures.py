@@ -24,10 +24,11 @@ class WrongKind(Refusal, TypeError):
 
 
 class AboutInputs(Refusal):
-    """Something is not made for a reason that lies in some of its inputs: a sentence with {} for each, and their numbers from 0."""
+    """Something is not made for a reason that lies in some of its inputs: a sentence with {} for each, and their numbers from 0;
+    arguments fill the rest of it."""
 
-    def __init__(self, text, *numbers):
-        self.text, self.numbers = text, numbers
+    def __init__(self, text, *numbers, **arguments):
+        self.text, self.numbers, self.arguments = text, numbers, arguments
         super().__init__(*self._filled(phrase("input {number}", number=number + 1) for number in numbers))
 
     def named(self, names):
@@ -38,7 +39,7 @@ class AboutInputs(Refusal):
         """A phrase with {a}, {b} ... for the inputs, as it stands in the catalog."""
         letters = iter("abcdefghij")
         pattern = re.sub(r"(?<!\{)\{\}(?!\})", lambda _: f"{{{next(letters)}}}", self.text)
-        return (phrase(pattern, **dict(zip("abcdefghij", names))),)
+        return (phrase(pattern, **dict(zip("abcdefghij", names)), **self.arguments),)
 
 
 @contextmanager
@@ -49,8 +50,7 @@ def about_input(number):
     except AboutInputs:
         raise
     except Refusal as error:
-        text = str(error).replace("{", "{{").replace("}", "}}")
-        raise AboutInputs(f"{{}}: {text}", number) from error
+        raise AboutInputs("{}: {reason}", number, reason=error.args[0]) from error
 
 
 @contextmanager
@@ -92,7 +92,7 @@ def text_of(error):
     if isinstance(error, FAILURES):
         return sentence(error)
     traceback.print_exception(type(error), error, error.__traceback__)
-    return f"an error in Splinewright, shown in the console ({type(error).__name__}: {error})"
+    return phrase("an error in Splinewright, shown in the console ({kind}: {error})", kind=type(error).__name__, error=error)
 
 
 @contextmanager

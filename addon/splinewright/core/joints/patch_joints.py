@@ -76,7 +76,7 @@ def _about_both():
     try:
         yield
     except sc.InvalidShape as error:
-        raise AboutInputs("{}, {}: " + str(error).replace("{", "{{").replace("}", "}}"), 0, 1) from error
+        raise AboutInputs("{}, {}: {reason}", 0, 1, reason=str(error)) from error
 
 
 def _with_neighbors(definition, moved):

@@ -129,7 +129,7 @@ def _extrude(inputs, x, y, z, caps):
 def _ruled(inputs, turned):
     first, second = (_curves(inputs, number) for number in range(2))
     if len(first) != len(second):
-        raise AboutInputs(f"{{}} has {len(first)} pieces, {{}} has {len(second)}: each is ruled to one", 0, 1)
+        raise AboutInputs("{} has {first} pieces, {} has {second}: each is ruled to one", 0, 1, first=len(first), second=len(second))
     return of_patches([sc.build.ruled(a, b.reversed() if turned else b) for a, b in zip(first, second)])
 
 

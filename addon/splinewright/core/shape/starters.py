@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..base.failures import Refusal
 from ..base.library import sc
 
 KNOTS = ('CLAMPED', 'UNCLAMPED', 'PERIODIC')
@@ -17,7 +18,7 @@ MOST_POINTS = 1_000_000
 
 def _require_count(count_u, count_v):
     if count_u * count_v > MOST_POINTS:
-        raise sc.InvalidShape(f"{count_u} × {count_v} points are too many, {MOST_POINTS:,} are the most")
+        raise Refusal("{count_u} × {count_v} points are too many, {most:,} are the most", count_u=count_u, count_v=count_v, most=MOST_POINTS)
 
 
 def knot_vector(degree, count, knots):

@@ -111,8 +111,8 @@ def calmed_in_words(part):
 def _require_order(found):
     for place, one in enumerate(found):
         if 0 < place < len(found) - 1 and one.curve is None:
-            what = "surface" if one.patches else "point"
-            raise AboutInputs(f"{{}} is a {what} between other sections: only the first and the last one may be", one.number)
+            raise AboutInputs("{} is a surface between other sections: only the first and the last one may be" if one.patches else
+                              "{} is a point between other sections: only the first and the last one may be", one.number)
 
 
 def _require_one_kind(curves):
@@ -147,7 +147,7 @@ def _leaving(inner, at, end, name):
         raise Refusal("the {name} has no section beside it to go to", name=name)
     if end.how == 'round':
         if own.point is None:
-            raise AboutInputs(f"{{}} is a curve: only a {name} in a point can be round", own.number)
+            raise AboutInputs("{} is a curve: only a {name} in a point can be round", own.number, name=name)
         return {f'{name}_flat': (_toward(own, beside), end.strength)}
     way = _toward(own, beside)
     return {f'{name}_tangent': (way if at == 0 else -way) * end.strength}
@@ -168,7 +168,7 @@ def _toward(own, beside):
 def _neighbor(surface, beside, end, name):
     """As splinecore.build.loft takes it."""
     if end.how in ('normal', 'round'):
-        raise AboutInputs(f"the {name} continues {{}}: choose free, or its tangent planes or curvatures", surface.number)
+        raise AboutInputs("the {name} continues {}: choose free, or its tangent planes or curvatures", surface.number, name=name)
     sides = _sides(surface.patches)
     if not sides:
         raise AboutInputs("{} has no open side to continue", surface.number)

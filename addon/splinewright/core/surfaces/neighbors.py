@@ -18,7 +18,7 @@ def beside(shapes, curves, tolerance, numbers):
         own = [(piece, name, 'G1') for piece in pieces for name in patch_curves.SIDES
                if _has_curve(piece, name, curves, tolerance)]
         if not own:
-            raise AboutInputs(f"{{}} has no side on which a curve lies within {tolerance:.2g}", number)
+            raise AboutInputs("{} has no side on which a curve lies within {tolerance:.2g}", number, tolerance=tolerance)
         found += [(side, number) for side in own]
     return found
 

@@ -63,7 +63,7 @@ def _require_one_place(rail, profiles, first):
         met = rail.intersections(profile, tolerance=reach)
         places = rail.evaluate(np.concatenate([met.parameters[:, 0], met.overlaps[:, 0].ravel()]))
         if len(places) > 1 and np.linalg.norm(places - places[0], axis=1).max() > 2 * reach:
-            raise AboutInputs(f"{{}} crosses the rail at {len(places)} places: it belongs to one of them alone", i)
+            raise AboutInputs("{} crosses the rail at {places} places: it belongs to one of them alone", i, places=len(places))
 
 
 def along(rail, profiles, frame):

@@ -95,8 +95,8 @@ def loop(curves, tolerance):
     gaps.append(np.linalg.norm(at - start))
     widest = int(np.argmax(gaps))
     if gaps[widest] > tolerance:
-        raise AboutInputs(f"the curves do not close: ends of {{}} and {{}} lie {decimals.text_of(gaps[widest], 3)} apart, the "
-                          f"tolerance is {decimals.text_of(tolerance, 3)}", order[widest], order[(widest + 1) % len(order)])
+        raise AboutInputs("the curves do not close: ends of {} and {} lie {gap} apart, the tolerance is {tolerance}", order[widest],
+                          order[(widest + 1) % len(order)], gap=decimals.text_of(gaps[widest], 3), tolerance=decimals.text_of(tolerance, 3))
     return [curves[i] for i in order]
 
 
@@ -118,8 +118,8 @@ def families(curves, gap, numbers):
     alone = [i for i in range(len(curves)) if i not in family]
     if alone:
         apart, nearest = min((_apart(curves[alone[0]], curves[j]), j) for j in range(len(curves)) if j != alone[0])
-        raise AboutInputs(f"{{}} meets no other curve: it comes to about {decimals.text_of(apart, 2)} of {{}}, the gap that is "
-                          f"allowed is {decimals.text_of(reach, 2)}", numbers[alone[0]], numbers[nearest])
+        raise AboutInputs("{} meets no other curve: it comes to about {distance} of {}, the gap that is allowed is {gap}",
+                          numbers[alone[0]], numbers[nearest], distance=decimals.text_of(apart, 2), gap=decimals.text_of(reach, 2))
     both = next(((i, j) for i in sorted(family) for j in sorted(family) if meets[i, j] and family[i] == family[j]), None)
     if both:
         raise AboutInputs("{} and {} meet each other, and others that both meet: the curves are not two families that run across each "

@@ -97,7 +97,7 @@ class SPLINEWRIGHT_OT_release_joint(_OnJoint, bpy.types.Operator):
     knot: _knot()
 
     def work(self, ob):
-        return released(ob.data, self.sides(ob.data), "joint"), ()
+        return released(ob.data, self.sides(ob.data), 'joint'), ()
 
 
 CLASSES = (SPLINEWRIGHT_OT_hold_joint, SPLINEWRIGHT_OT_release_joint)

@@ -15,6 +15,8 @@ from . import reports
 from .patch_join import came_apart, continuity_property, moves_property, told
 
 _SIDES = list(SIDE_CHOICES)
+_RELEASED = {'joint': "the joint is released", 'seam': "the seam is released"}
+_ALL_RELEASED = {'joint': "all joints are released: what held was damaged", 'seam': "all seams are released: what held was damaged"}
 
 
 def number_property(what, of):
@@ -64,8 +66,8 @@ def released(data, sides, of):
         held.release(data, *sides)
     except store.UnreadableDefinition:
         held.write(data, ())
-        return f"all {of}s are released: what held was damaged"
-    return f"the {of} is released"
+        return _ALL_RELEASED[of]
+    return _RELEASED[of]
 
 
 class SPLINEWRIGHT_OT_hold_seam(OnWhatHolds, bpy.types.Operator):
@@ -105,7 +107,7 @@ class SPLINEWRIGHT_OT_release_seam(OnWhatHolds, bpy.types.Operator):
     second_side: _side()
 
     def work(self, ob):
-        return released(ob.data, self.sides(), "seam"), ()
+        return released(ob.data, self.sides(), 'seam'), ()
 
 
 CLASSES = (SPLINEWRIGHT_OT_hold_seam, SPLINEWRIGHT_OT_release_seam)
