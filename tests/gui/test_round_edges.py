@@ -1,4 +1,4 @@
-"""Round Edge of a box that is clicked, by F3: the numbers of its edges stand in the view, it follows G, and Ctrl+Z takes all back."""
+"""Round Edge of a box that is clicked, by the menu: the numbers of its edges stand in the view, it follows G, and Ctrl+Z takes all back."""
 
 import os
 import sys
@@ -9,6 +9,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 from box_scene import box
+from by_keys import command
 from window import View, mean_difference, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
@@ -27,14 +28,7 @@ def rounded(view):
     view.press('LEFTMOUSE')
     yield from until(lambda: [ob.name for ob in bpy.context.selected_objects] == ["box"], "a click selects the box")
     sharp = picture("sharp")
-    view.press('F3')
-    yield from redrawn()
-    yield from redrawn()
-    for letter in "round edge":
-        view.press('SPACE' if letter == " " else letter.upper(), letter)
-    yield from redrawn()
-    yield from redrawn()
-    view.press('RET')
+    yield from command(view, "Surface from Surfaces > Round Edge")
     yield from until(lambda: len(bpy.data.objects) == 2, "the rounded box")
     yield from redrawn()
     assert len(numbers()) == 12 and bpy.data.objects["box"].hide_get()

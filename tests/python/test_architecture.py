@@ -13,6 +13,7 @@ ADDON = PROJECT / "addon" / "splinewright"
 # A native room may use itself and these.
 NATIVE_ARROWS = {
     'kernels': set(),
+    'numeric': set(),
     'base': {'kernels'},
     'basis': {'base', 'kernels'},
     'curve': {'base', 'basis', 'kernels'},
@@ -26,7 +27,7 @@ NATIVE_ARROWS = {
     'build': {'base', 'basis', 'curve', 'patch', 'convert', 'conic', 'formula', 'kernels', 'measure', 'meet'},
     'region': {'base', 'conic', 'curve', 'measure', 'meet', 'build'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
-    'surface': {'base', 'basis', 'conic', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
+    'surface': {'base', 'numeric', 'basis', 'conic', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
     'exchange': {'base', 'basis', 'curve', 'patch', 'tessellate'},
 }
 # A room of the add-on may import itself and these.

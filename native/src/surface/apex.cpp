@@ -1,13 +1,15 @@
 #include "apex.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "base/length.hpp"
 #include "hole_plane.hpp"
+#include "numeric/linear_equations.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -58,8 +60,7 @@ Expectation expectation_at(const HolePlace& place, double length, const HolePlan
 glm::dvec3 axis_of(const std::vector<HolePlace>& places, const std::vector<double>& lengths, const HolePlane& plane) {
   constexpr double kSlight = 1e-3;  // of the sum of the lengths
   constexpr double kSteepest = 1.5;
-  Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  LinearEquations equations(3);
   double length = 0.0;
   for (std::size_t k = 0; k < places.size(); ++k) {
     length += lengths[k];
@@ -68,32 +69,26 @@ glm::dvec3 axis_of(const std::vector<HolePlace>& places, const std::vector<doubl
     if (!(area > 0.0)) continue;
     const glm::dvec3 seen = glm::dvec3(glm::dot(normal, plane.x), glm::dot(normal, plane.y), glm::dot(normal, plane.normal)) / area;
     const double off = glm::dot(normal, places[k].point - plane.origin) / (area * plane.size);
-    const Eigen::Vector3d row(seen.x, seen.y, -off);
-    left += lengths[k] * row * row.transpose();
-    right -= lengths[k] * seen.z * row;
+    equations.add(std::array{seen.x, seen.y, -off}, -seen.z, std::sqrt(lengths[k]));
   }
-  for (int i = 0; i < 2; ++i) left(i, i) += kSlight * length;
-  left(2, 2) += kSlight * kSlight * length;
-  const Eigen::Vector3d found = left.ldlt().solve(right);
+  equations.add(std::array{1.0, 0.0, 0.0}, 0.0, std::sqrt(kSlight * length));
+  equations.add(std::array{0.0, 1.0, 0.0}, 0.0, std::sqrt(kSlight * length));
+  equations.add(std::array{0.0, 0.0, 1.0}, 0.0, kSlight * std::sqrt(length));
+  const std::vector<double> found = equations.least_squares();
   const glm::dvec3 slope = found[0] * plane.x + found[1] * plane.y;
   const double steepness = length_of(slope);
   return plane.normal + (steepness > kSteepest ? slope * (kSteepest / steepness) : slope);
 }
 
 /// The height of the apex over the plane and the slope of its tangent plane, by least squares.
-Eigen::Vector3d solved(const std::vector<Expectation>& all, const HolePlane& plane) {
-  Eigen::Matrix<double, Eigen::Dynamic, 3> left(static_cast<Eigen::Index>(all.size()), 3);
-  Eigen::VectorXd right(static_cast<Eigen::Index>(all.size()));
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double weight = std::sqrt(all[i].weight);
-    left.row(row) << plane.size, all[i].factor * glm::dot(all[i].way, plane.x), all[i].factor * glm::dot(all[i].way, plane.y);
-    left.row(row) *= weight;
-    right[row] = weight * all[i].height;
+glm::dvec3 solved(const std::vector<Expectation>& all, const HolePlane& plane) {
+  LinearEquations equations(3);
+  for (const Expectation& one : all) {
+    const std::array factors{plane.size, one.factor * glm::dot(one.way, plane.x), one.factor * glm::dot(one.way, plane.y)};
+    equations.add(factors, one.height, std::sqrt(one.weight));
   }
-  Eigen::Vector3d found = left.colPivHouseholderQr().solve(right);
-  found[0] *= plane.size;
-  return found;
+  const std::vector<double> found = equations.least_squares();
+  return {found[0] * plane.size, found[1], found[2]};
 }
 
 bool is_seen_whole(const std::vector<Expectation>& all, const HolePlane& plane) {
@@ -171,7 +166,7 @@ std::optional<Apex> apex_along(const HolePlane& plane, const glm::dvec3& axis, c
   std::vector<Expectation> expected;
   for (std::size_t k = 0; k < all.places.size(); ++k) expected.push_back(expectation_at(all.places[k], all.lengths[k], plane, axis));
   if (!is_seen_whole(expected, plane)) return {};
-  const Eigen::Vector3d found = solved(expected, plane);
+  const glm::dvec3 found = solved(expected, plane);
   Apex apex{plane.origin + found[0] * axis, plane.normal, axis, found[1] * plane.x + found[2] * plane.y, 1.0, leaving};
   double sum = 0.0;
   double length = 0.0;

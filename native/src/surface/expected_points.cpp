@@ -1,18 +1,20 @@
 #include "expected_points.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
+#include <vector>
 
 #include "base/length.hpp"
 #include "bicubic_sum.hpp"
 #include "greville.hpp"
 #include "grid_controls.hpp"
 #include "hole_plane.hpp"
+#include "numeric/linear_equations.hpp"
 #include "ribbon.hpp"
 #include "splinecore/patch/evaluate.hpp"
 
@@ -22,7 +24,7 @@ namespace {
 
 constexpr int kDegree = 4;
 constexpr int kTerms = (kDegree + 1) * (kDegree + 2) / 2;
-using Terms = Eigen::Matrix<double, 1, kTerms>;
+using Terms = std::array<double, kTerms>;
 
 /// The products of powers of x and y, or their derivatives along a direction.
 Terms terms_at(const glm::dvec3& p) {
@@ -49,30 +51,27 @@ Terms terms_along(const glm::dvec3& p, const glm::dvec3& way) {
 }
 
 /// The polynomial's factors; none where a neighbor stands too steeply over the plane.
-std::optional<Eigen::Matrix<double, kTerms, 1>> heights_of(const std::vector<std::vector<HolePlace>>& sides, const HolePlane& plane) {
+std::optional<std::vector<double>> heights_of(const std::vector<std::vector<HolePlace>>& sides, const HolePlane& plane) {
   constexpr double kSteep = 0.15;
   constexpr double kDependent = 1e-4;
-  std::vector<Terms> rows;
-  std::vector<double> right;
+  LinearEquations equations(kTerms);
   for (const auto& side : sides) {
     for (const HolePlace& place : side) {
       const glm::dvec3 p = plane.at(place.point);
-      rows.push_back(terms_at(p));
-      right.push_back(p.z);
+      equations.add(terms_at(p), p.z);
       if (place.out == glm::dvec3(0.0)) continue;
       const double length = length_of(place.out);
       const glm::dvec3 way = plane.size / length * plane.along(place.out);
       if (std::hypot(way.x, way.y) < kSteep) return {};
-      rows.push_back(terms_along(p, way));
-      right.push_back(way.z);
+      equations.add(terms_along(p, way), way.z);
     }
   }
-  Eigen::Matrix<double, Eigen::Dynamic, kTerms> left(static_cast<Eigen::Index>(rows.size()), kTerms);
-  for (std::size_t i = 0; i < rows.size(); ++i) left.row(static_cast<Eigen::Index>(i)) = rows[i];
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, Eigen::Dynamic, kTerms>> solver;
-  solver.setThreshold(kDependent);
-  solver.compute(left);
-  return solver.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), static_cast<Eigen::Index>(right.size())));
+  return equations.least_squares(kDependent);
+}
+
+double height_at(const glm::dvec3& p, const std::vector<double>& factors) {
+  const Terms terms = terms_at(p);
+  return std::inner_product(terms.begin(), terms.end(), factors.begin(), 0.0);
 }
 
 std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePlace>>& sides, const Star& star,
@@ -88,7 +87,7 @@ std::vector<glm::dvec3> heights_over_plane(const std::vector<std::vector<HolePla
     std::vector<glm::dvec3> grid(u.size() * v.size());
     evaluate_grid(patches[k], u, v, std::span(&grid.front().x, 3 * grid.size()));
     std::vector<double> values;
-    for (const glm::dvec3& p : grid) values.push_back(terms_at(plane->at(p)) * *heights);
+    for (const glm::dvec3& p : grid) values.push_back(height_at(plane->at(p), *heights));
     const std::vector<double> controls = grid_controls(star.along(k, Axis::u), star.along(k, Axis::v), values);
     for (std::size_t i = 0; i < u.size(); ++i) {
       for (std::size_t j = 0; j < v.size(); ++j) {

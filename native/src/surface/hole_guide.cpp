@@ -1,6 +1,5 @@
 #include "hole_guide.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "base/length.hpp"
 #include "bulge.hpp"
 #include "hole_plane.hpp"
+#include "numeric/linear_equations.hpp"
 #include "plane_terms.hpp"
 
 namespace splinecore {
@@ -17,6 +17,7 @@ namespace splinecore {
 namespace {
 
 constexpr int kDegree = 8;
+constexpr std::size_t kTerms = (kDegree + 1) * (kDegree + 2) / 2;
 
 /// A cubic from a side to the apex, by t from 0 to 1.
 struct LineToApex {
@@ -82,8 +83,15 @@ std::vector<glm::dvec2> HoleGuide::across(const Hole& hole, std::size_t i, std::
 }
 
 glm::dvec3 HoleGuide::at(const glm::dvec2& place) const {
-  const Eigen::RowVector3d p = plane_terms(kDegree, place / size_) * factors_;
-  return {p[0], p[1], p[2]};
+  return derivative(place / size_, {0, 0});
+}
+
+/// At p, in sizes.
+glm::dvec3 HoleGuide::derivative(const glm::dvec2& p, const std::array<int, 2>& by) const {
+  const std::vector<double> terms = plane_terms(kDegree, p, by);
+  glm::dvec3 sum(0.0);
+  for (std::size_t k = 0; k < terms.size(); ++k) sum += terms[k] * factors_[k];
+  return sum;
 }
 
 std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size_t i, std::span<const double> s,
@@ -91,20 +99,17 @@ std::vector<glm::dvec3> HoleGuide::across_on_surface(const Hole& hole, std::size
   const std::vector<glm::dvec2> places = border(hole.sides[i], s);
   const std::vector<glm::dvec2> ways = across(hole, i, s, 1);
   const std::vector<glm::dvec2> turns = order == 2 ? across(hole, i, s, 2) : std::vector<glm::dvec2>(s.size());
-  const auto derivative = [&](const glm::dvec2& p, int by_x, int by_y) -> Eigen::RowVector3d {
-    return plane_terms(kDegree, p, {by_x, by_y}) * factors_;
-  };
   std::vector<glm::dvec3> found;
   for (std::size_t k = 0; k < s.size(); ++k) {
     const glm::dvec2 p = places[k] / size_;
     const glm::dvec2 way = ways[k] / size_;
     const glm::dvec2 first = order == 1 ? way : turns[k] / size_;
-    Eigen::RowVector3d sum = first.x * derivative(p, 1, 0) + first.y * derivative(p, 0, 1);
+    glm::dvec3 sum = first.x * derivative(p, {1, 0}) + first.y * derivative(p, {0, 1});
     if (order == 2) {
-      sum += way.x * way.x * derivative(p, 2, 0) + 2.0 * way.x * way.y * derivative(p, 1, 1);
-      sum += way.y * way.y * derivative(p, 0, 2);
+      sum += way.x * way.x * derivative(p, {2, 0}) + 2.0 * way.x * way.y * derivative(p, {1, 1});
+      sum += way.y * way.y * derivative(p, {0, 2});
     }
-    found.emplace_back(sum[0], sum[1], sum[2]);
+    found.push_back(sum);
   }
   return found;
 }
@@ -115,11 +120,9 @@ void HoleGuide::fit(const Hole& hole) {
   constexpr double kOnSides = 4.0;
   constexpr double kOfSlopes = 1.2;
   constexpr double kDependent = 1e-8;
-  std::vector<Eigen::RowVectorXd> rows;
-  std::vector<glm::dvec3> right;
-  const auto add = [&](double weight, const Eigen::RowVectorXd& row, const glm::dvec3& value) {
-    rows.push_back(weight * row);
-    right.push_back(weight * value);
+  LinearEquations equations(kTerms, 3);
+  const auto add = [&](double weight, std::span<const double> terms, const glm::dvec3& value) {
+    equations.add(terms, std::array{value.x, value.y, value.z}, weight);
   };
   std::vector<HolePlace> places;
   for (const HoleSide& side : hole.sides) {
@@ -141,20 +144,14 @@ void HoleGuide::fit(const Hole& hole) {
     if (!(speed > 0.0)) continue;
     const double distance = glm::length(from);
     const glm::dvec2 inwards = -from / distance;
-    const Eigen::RowVectorXd by_x = plane_terms(kDegree, from, {1, 0});
-    const Eigen::RowVectorXd by_y = plane_terms(kDegree, from, {0, 1});
-    add(kOfSlopes, inwards.x * by_x + inwards.y * by_y, start * (size_ / speed));
+    std::vector<double> slopes = plane_terms(kDegree, from, {1, 0});
+    const std::vector<double> by_y = plane_terms(kDegree, from, {0, 1});
+    for (std::size_t k = 0; k < slopes.size(); ++k) slopes[k] = inwards.x * slopes[k] + inwards.y * by_y[k];
+    add(kOfSlopes, slopes, start * (size_ / speed));
   }
-  Eigen::MatrixXd left(static_cast<Eigen::Index>(rows.size()), rows.front().size());
-  Eigen::Matrix<double, Eigen::Dynamic, 3> wanted(static_cast<Eigen::Index>(rows.size()), 3);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    left.row(static_cast<Eigen::Index>(i)) = rows[i];
-    for (int c = 0; c < 3; ++c) wanted(static_cast<Eigen::Index>(i), c) = right[i][c];
-  }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-  solver.setThreshold(kDependent);
-  solver.compute(left);
-  factors_ = solver.solve(wanted);
+  const std::vector<double> found = equations.least_squares(kDependent);
+  factors_.clear();
+  for (std::size_t k = 0; k < found.size(); k += 3) factors_.emplace_back(found[k], found[k + 1], found[k + 2]);
 }
 
 /// Seen along the apex's own normal: there lines from all sides come as evenly as on a sphere.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -38,6 +38,7 @@ class HoleGuide {
   HoleGuide(const Apex& apex, const glm::dvec3& x, const glm::dvec3& y) : apex_(apex), x_(x), y_(y) {}
 
   void fit(const Hole& hole);
+  glm::dvec3 derivative(const glm::dvec2& p, const std::array<int, 2>& by) const;
   glm::dvec2 place_of(const HolePlace& place) const;
   glm::dvec2 speed_along(const HoleSide& side, bool is_end, int order) const;
 
@@ -45,7 +46,7 @@ class HoleGuide {
   glm::dvec3 x_;
   glm::dvec3 y_;
   double size_ = 1.0;  ///< of the places in the plane
-  Eigen::Matrix<double, Eigen::Dynamic, 3> factors_;
+  std::vector<glm::dvec3> factors_;  ///< of plane_terms()
 };
 
 }  // namespace splinecore

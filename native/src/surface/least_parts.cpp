@@ -1,9 +1,9 @@
 #include "least_parts.hpp"
 
-#include <Eigen/Dense>
 #include <glm/geometric.hpp>
 
 #include "base/length.hpp"
+#include "numeric/linear_equations.hpp"
 
 namespace splinecore {
 
@@ -32,12 +32,9 @@ std::array<double, 4> least_parts(const glm::dvec3& vector, const std::array<glm
   const auto flat = [&](const glm::dvec3& v) { return v - normal * glm::dot(normal, v); };
   const std::array columns{flat(of_a[0]), flat(of_a[1]), flat(of_b[0]), flat(of_b[1])};
   const glm::dvec3 wanted = flat(vector);
-  Eigen::Matrix<double, 3, 4> left;
-  for (int c = 0; c < 3; ++c) left.row(c) << columns[0][c], columns[1][c], columns[2][c], columns[3][c];
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 3, 4>> solver;
-  solver.setThreshold(kDependent);
-  solver.compute(left);
-  const Eigen::Vector4d parts = solver.solve(Eigen::Vector3d(wanted.x, wanted.y, wanted.z));
+  LinearEquations equations(columns.size());
+  for (int c = 0; c < 3; ++c) equations.add(std::array{columns[0][c], columns[1][c], columns[2][c], columns[3][c]}, wanted[c]);
+  const std::vector<double> parts = equations.least_squares(kDependent);
   return {parts[0], parts[1], parts[2], parts[3]};
 }
 

@@ -1,6 +1,5 @@
 #include "splinecore/surface/match.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "kept_continuity.hpp"
 #include "least_going_on.hpp"
 #include "meet/near_space.hpp"
+#include "numeric/linear_equations.hpp"
 #include "overshoot.hpp"
 #include "patch/lines.hpp"
 #include "ribbon.hpp"
@@ -108,32 +108,35 @@ void write_rows(MovingRows& moved, const std::vector<std::vector<glm::dvec4>>& d
 /// Rows that may move go with those that must, so that second differences of the ways are least in the sum of squares.
 void fade(MovingRows& moved, const std::vector<std::vector<glm::dvec4>>& before, std::size_t first, std::size_t end) {
   if (end <= first) return;
-  const auto count = static_cast<Eigen::Index>(end - first);
+  const std::size_t count = end - first;
   const std::size_t width = moved.rows.front().size();
-  const auto way = [&](std::ptrdiff_t j) {
+  const auto way = [&](std::size_t j) {
     std::vector<glm::dvec4> d(width);
     for (std::size_t i = 0; i < width; ++i) d[i] = moved.rows[j][i] - before[j][i];
     return d;
   };
-  Eigen::MatrixXd left = Eigen::MatrixXd::Zero(count + 2, count);
-  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(count + 2, static_cast<Eigen::Index>(4 * width));
-  for (Eigen::Index r = first < 2 ? 1 : 0; r < count + 2; ++r) {
-    for (int k = 0; k < 3; ++k) {
+  LinearEquations equations(count, 4 * width);
+  for (std::size_t r = first < 2 ? 1 : 0; r < count + 2; ++r) {
+    std::vector<double> left(count);
+    std::vector<double> right(4 * width);
+    for (std::size_t k = 0; k < 3; ++k) {
       const double factor = k == 1 ? -2.0 : 1.0;
-      const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(first) + r - 2 + k;
-      const Eigen::Index column = j - static_cast<std::ptrdiff_t>(first);
-      if (column >= 0 && column < count) left(r, column) += factor;
-      if (column >= 0) continue;
-      const std::vector<glm::dvec4> known = way(j);
+      if (r + k >= count + 2) continue;
+      if (r + k >= 2) {
+        left[r + k - 2] = factor;
+        continue;
+      }
+      const std::vector<glm::dvec4> known = way(first + r + k - 2);
       for (std::size_t i = 0; i < width; ++i) {
-        for (int c = 0; c < 4; ++c) right(r, static_cast<Eigen::Index>(4 * i) + c) -= factor * known[i][c];
+        for (int c = 0; c < 4; ++c) right[4 * i + c] -= factor * known[i][c];
       }
     }
+    equations.add(left, right);
   }
-  const Eigen::MatrixXd ways = left.colPivHouseholderQr().solve(right);
-  for (Eigen::Index j = 0; j < count; ++j) {
+  const std::vector<double> ways = equations.least_squares();
+  for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t i = 0; i < width; ++i) {
-      for (int c = 0; c < 4; ++c) moved.rows[first + static_cast<std::size_t>(j)][i][c] += ways(j, static_cast<Eigen::Index>(4 * i) + c);
+      for (int c = 0; c < 4; ++c) moved.rows[first + j][i][c] += ways[4 * (width * j + i) + c];
     }
   }
 }

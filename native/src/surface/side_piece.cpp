@@ -1,7 +1,7 @@
 #include "side_piece.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -9,6 +9,7 @@
 
 #include "base/length.hpp"
 #include "bulge.hpp"
+#include "numeric/linear_equations.hpp"
 #include "one_patch.hpp"
 #include "patch/lines.hpp"
 #include "splinecore/base/errors.hpp"
@@ -72,14 +73,13 @@ double value_of(const std::array<double, 5>& factors, double x) {
 std::array<double, 5> bulges_of(std::span<const double> s, const std::vector<double>& values, int power) {
   std::array<double, 5> found{};
   if (s.size() < found.size()) return found;
-  Eigen::MatrixXd left(std::ssize(s), std::ssize(found));
-  for (Eigen::Index i = 0; i < left.rows(); ++i) {
-    const double at = s[static_cast<std::size_t>(i)];
-    left(i, 0) = bulge(at, power);
-    for (Eigen::Index k = 1; k < left.cols(); ++k) left(i, k) = left(i, k - 1) * (2.0 * at - 1.0);
+  LinearEquations equations(found.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    std::array<double, 5> terms{bulge(s[i], power)};
+    for (std::size_t k = 1; k < terms.size(); ++k) terms[k] = terms[k - 1] * (2.0 * s[i] - 1.0);
+    equations.add(terms, values[i]);
   }
-  const Eigen::VectorXd factors = left.colPivHouseholderQr().solve(Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values)));
-  for (std::size_t k = 0; k < found.size(); ++k) found[k] = factors[static_cast<Eigen::Index>(k)];
+  std::ranges::copy(equations.least_squares(), found.begin());
   return found;
 }
 
