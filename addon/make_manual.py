@@ -119,7 +119,8 @@ def _headings(name, language):
 
 def _anchors(name, language):
     """{the anchor that a heading's words give: its anchor}; that is the same in all languages, so F1 leads to each."""
-    own, english = ([_anchor(heading) for heading in _headings(name, each)] for each in (language, ENGLISH))
+    english = [_anchor(heading) for heading in _headings(name, ENGLISH)]
+    own = english if language == ENGLISH else [_usual_anchor(heading) for heading in _headings(name, language)]
     if len(own) != len(english):
         raise Broken(f"{address(name, language)} has {len(own)} headings, and {len(english)} in English")
     return dict(zip(own, english, strict=True))
@@ -154,7 +155,12 @@ def _entry(name, language, headings):
 
 
 def _anchor(heading):
-    return re.sub(r"[\W_]+", "-", heading.lower()).strip("-")
+    return re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")
+
+
+def _usual_anchor(heading):
+    """As programs name it that show Markdown: translations link it so."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 
 
 def _plain(inline):
