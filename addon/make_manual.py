@@ -8,6 +8,7 @@ A page is Markdown. On a separate line it may say
 """
 
 import argparse
+import functools
 import html
 import io
 import json
@@ -43,6 +44,7 @@ class _Manual:
 
     def __init__(self):
         self.pictures, self.map = {}, []
+        self.anchors = functools.cache(_anchors)
 
     def page(self, name, language=ENGLISH):
         """One page as HTML."""
@@ -55,7 +57,7 @@ class _Manual:
 
     def _settle(self, name, language, tokens):
         """Give headings anchors and links and pictures the addresses they have in the manual; [(anchor, heading)] of parts."""
-        headings, anchor, anchors = [], "", iter(_anchors(name, language).values())
+        headings, anchor, anchors = [], "", iter(self.anchors(name, language).values())
         for i, token in enumerate(tokens):
             if token.type == 'heading_open':
                 anchor = next(anchors)
@@ -72,7 +74,7 @@ class _Manual:
                 if child.type == 'image':
                     self._settle_picture(child, name, language)
                 elif child.type == 'link_open':
-                    _settle_link(child, name, language)
+                    _settle_link(child, name, language, self.anchors)
         return headings
 
     def _settle_picture(self, token, name, language):
@@ -88,7 +90,8 @@ class _Manual:
         token.attrSet('loading', 'lazy')
 
 
-def _settle_link(token, name, language):
+def _settle_link(token, name, language, anchors):
+    """anchors: tells those of a page in a language."""
     target, _, heading = unquote(token.attrs['href']).partition("#")
     spoken = ENGLISH if target.startswith("../") else language
     page = target.removeprefix("../").removesuffix(".md") if target else name
@@ -97,7 +100,7 @@ def _settle_link(token, name, language):
     elif page in PAGES:
         if spoken != language and language in languages_of(page):
             raise Broken(f"{address(name, language)} links {target}, which is there in {LANGUAGES[language]}")
-        there = _anchors(page, spoken) if spoken in languages_of(page) else {}
+        there = anchors(page, spoken) if spoken in languages_of(page) else {}
         token.attrs['href'] = ((target[:-3] + ".html") if target else "") + (f"#{there.get(heading, heading)}" if heading else "")
     elif "://" not in target:
         del token.attrs['href']         # what lies in the project and not in the add-on
