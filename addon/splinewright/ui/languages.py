@@ -29,6 +29,12 @@ def _spoken():
     return of(bpy.app.translations.locale) if view.use_translate_interface else None
 
 
+def spoken():
+    """The language of the interface as pages are named by it, such as "pl"; "" for those that have no file, and for English."""
+    view = bpy.context.preferences.view
+    return Path(FILES.get(bpy.app.translations.locale, "")).stem if view.use_translate_interface else ""
+
+
 def _for_blender(found):
     texts = found.of_blender
     return {**{(context, text): said for (_, text), said in texts.items() for context in _CONTEXTS}, **texts}
