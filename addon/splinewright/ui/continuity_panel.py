@@ -118,8 +118,9 @@ class _Locks:
 def _draw_joints(layout, survey, locks):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.name) <= _SHORT and not locks.holds(joint) else box
-        row.label(text=say(joint.name))
+        name = say(joint.name)
+        row = box.split(factor=0.6) if len(name) <= _SHORT and not locks.holds(joint) else box
+        row.label(text=name)
         row = row.row(align=True)
         row.label(text=say(kind(joint)))
         locks.draw(row, joint)

@@ -25,12 +25,14 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
 
     def draw(self, context):
         column = self.layout.column(align=True)
-        for label, text in _conic(context.object.data):
-            row = column.split(factor=0.3)
+        known = _conic(context.object.data)
+        share = texts.share([say(label) for label, _ in known])
+        for label, text in known:
+            row = column.split(factor=share)
             row.label(text=say(label))
             lines = row.column(align=True)
-            for line in texts.lines(text):
-                lines.label(text=say(line))
+            for line in texts.lines(text, 1.0 - share):
+                lines.label(text=line)
         self.layout.operator("splinewright.write_formulas", icon='TEXT')
 
 

@@ -85,12 +85,14 @@ def _draw_state(layout, ob):
 
 def _draw_definition(layout, data):
     column = layout.column(align=True)
-    for label, text in surveys.described(data):
-        row = column.split(factor=0.3)
+    described = surveys.described(data)
+    share = texts.share([say(label) for label, _ in described])
+    for label, text in described:
+        row = column.split(factor=share)
         row.label(text=say(label))
         lines = row.column(align=True)
-        for line in texts.lines(text):
-            lines.label(text=say(line))
+        for line in texts.lines(text, 1.0 - share):
+            lines.label(text=line)
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):
