@@ -81,7 +81,7 @@ def _counted(word, numbers, first):
 def _field(operator, name, value):
     """A field and its value, both as the panel of the last operator calls them."""
     choices = field_names.CHOICES.get((operator, name))
-    return f"*{field_names.FIELDS[operator][name]}* {choices[value] if choices else _value(value)}"
+    return f"*{field_names.FIELDS[operator][name]}* {f'*{choices[value]}*' if choices else _value(value)}"
 
 
 def _value(value):

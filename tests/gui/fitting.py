@@ -4,7 +4,6 @@ A panel draws into a Recorder in place of its layout. As Blender does it, what h
 equal parts of the rest, and a column has the whole width. How much of that is left for words is measured in pictures.
 """
 
-import math
 from types import SimpleNamespace
 from typing import NamedTuple
 
@@ -15,10 +14,10 @@ import bpy
 _UNIT, _WORDS, _SPACE, _BOX = 20, 200, 8, 5
 #: Of a region its tabs and the margins of a panel; of a title besides them the triangle and the grip.
 _TABS, _TITLE = 46, 14 + 16
-#: What lies beside the words of a field, as pictures show it; an icon, and what is between it and the words of a label.
-_SIDES = {'label': 6, 'button': 6, 'option': 23, 'number': 28, 'choice': 26, 'text': 14, 'menu': 26}
+#: What lies beside the words of a field, as pictures show it, of a number its first digits, too; an icon, and what is between it and the words of a label.
+_SIDES = {'label': 6, 'button': 6, 'option': 23, 'number': 68, 'choice': 26, 'text': 14, 'menu': 26}
 _ICON, _AFTER_ICON = 18, 8
-#: A label of a number that is as short goes where there is no room.
+#: A letter of an axis, or a number of a list, goes where there is no room for it and digits.
 _LETTERS = 3
 
 
@@ -83,8 +82,10 @@ class Recorder:
 
     def template_list(self, kind, _name, data, items, active, number, **_):
         """Each row, as the list draws it."""
+        rows = self.column()
+        rows.items.append(Field('gap', "", width=_WORDS))
         for index, item in enumerate(getattr(data, items)):
-            getattr(bpy.types, kind).draw_item(SimpleNamespace(), bpy.context, self.row(), data, item, 0, active, number, index)
+            getattr(bpy.types, kind).draw_item(SimpleNamespace(), bpy.context, rows.row(), data, item, 0, active, number, index)
 
     def prop(self, data, name, text=None, icon='NONE', index=-1, expand=False, **_):
         known = data.bl_rna.properties[name]
@@ -101,8 +102,8 @@ class Recorder:
             part._add('text', "")
         elif known.type in ('INT', 'FLOAT'):
             values = [getattr(data, name)] if not known.is_array else [getattr(data, name)[index]] if index >= 0 else list(getattr(data, name))
-            for value in values:        # letters of axes and of a list give way to digits
-                self._add('number', ": ".join([words] * (len(words) > _LETTERS) + [_number(known, value)]), icon)
+            for _ in values:
+                self._add('number', words if len(words) > _LETTERS else " ", icon)
         else:
             self._chosen(data, name, known, words, icon)
 
@@ -123,15 +124,6 @@ def _translated(text, context="*"):
 def _name_of(operator):
     room, _, name = operator.partition(".")
     return _translated(getattr(getattr(bpy.ops, room), name).get_rna_type().name, "Operator")
-
-
-def _number(known, value):
-    """As a field shows a number."""
-    if known.type == 'INT':
-        return str(value)
-    if known.unit == 'ROTATION':
-        return f"{math.degrees(value):.4g}°"
-    return f"{value:.{known.precision}g} m" if known.unit == 'LENGTH' else f"{value:.{known.precision}f}"
 
 
 def _scale():

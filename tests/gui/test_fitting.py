@@ -133,7 +133,7 @@ def steps():
     yield from redrawn()
     yield from view.show_tab("NURBS", (1045, 538))
     view.move(420, 420)
-    for part_of_it in (recipes, shapes, lessons):
+    for part_of_it in (lessons, shapes, recipes):
         yield from part_of_it(view)
     save_picture(OUTPUT / "fitting.png")
     lacking = {cls.__name__ for cls in panels()} - seen

@@ -4,7 +4,6 @@ import bpy
 
 from ..bridge.data import store
 from ..bridge.shape import shape
-from ..core.base.words import say
 from ..core.formulas import formulas
 from ..core.shape import definition as definitions
 from . import texts
@@ -24,15 +23,7 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
         return shape.has_shape(context.object)
 
     def draw(self, context):
-        column = self.layout.column(align=True)
-        known = _conic(context.object.data)
-        share = texts.share([say(label) for label, _ in known])
-        for label, text in known:
-            row = column.split(factor=share)
-            row.label(text=say(label))
-            lines = row.column(align=True)
-            for line in texts.lines(text, 1.0 - share):
-                lines.label(text=line)
+        texts.draw_pairs(self.layout, _conic(context.object.data))
         self.layout.operator("splinewright.write_formulas", icon='TEXT')
 
 

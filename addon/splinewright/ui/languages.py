@@ -18,7 +18,7 @@ _DOMAIN = __package__
 #: Contexts in which Blender looks texts up: of operators and of everything else. A text that has but one is the same in both.
 _CONTEXTS = ("*", "Operator")
 #: Languages whose texts Blender has, while the add-on is on.
-_given = set()
+_given = ()
 _owner = object()
 
 CLASSES = ()
@@ -41,12 +41,13 @@ def _spoken():
 
 def give():
     """Give Blender the texts of the present language, if it has them not yet."""
+    global _given
     locale = bpy.app.translations.locale
     if locale in _given or locale not in FILES or of(locale) is None:
         return
     if _given:
         bpy.app.translations.unregister(_DOMAIN)
-    _given.add(locale)
+    _given = (*_given, locale)
     bpy.app.translations.register(_DOMAIN, {known: _for_blender(of(known)) for known in _given})
 
 
@@ -69,10 +70,11 @@ def register():
 
 
 def unregister():
+    global _given
     bpy.msgbus.clear_by_owner(_owner)
     words.use(None)
     if _given:
         bpy.app.translations.unregister(_DOMAIN)
-    _given.clear()
+    _given = ()
     of.cache_clear()
     _for_blender.cache_clear()

@@ -107,7 +107,7 @@ def _draw_row(column, name, value):
         if not texts.fits(words, _NUMBER):
             column.label(text=words)
             words = ""
-        row = column.split(factor=texts.share([words], least=0.5))
+        row = column.split(factor=texts.share([words], least=0.45))
         row.label(text=words)
         row.label(text=decimals.text_of(number, _DIGITS))
 

@@ -84,15 +84,7 @@ def _draw_state(layout, ob):
 
 
 def _draw_definition(layout, data):
-    column = layout.column(align=True)
-    described = surveys.described(data)
-    share = texts.share([say(label) for label, _ in described])
-    for label, text in described:
-        row = column.split(factor=share)
-        row.label(text=say(label))
-        lines = row.column(align=True)
-        for line in texts.lines(text, 1.0 - share):
-            lines.label(text=line)
+    texts.draw_pairs(layout, surveys.described(data))
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):

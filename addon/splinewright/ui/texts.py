@@ -11,8 +11,8 @@ from ..core.base.words import say
 WIDTH = 23
 #: Characters of a name beside words.
 _NAME = 12
-#: Of a line the largest part that labels take.
-_MOST = 0.65
+#: Of a line the largest part that labels take, and the largest beside texts.
+_MOST, _LONG = 0.65, 0.42
 #: In pixels of an interface that is not scaled: what tabs and margins take of a region, the sides of a label, an icon, what lies between two
 #: columns, and the least room that words are broken into.
 _MARGINS, _SIDES, _ICON, _BETWEEN, _LEAST = 46, 6, 26, 8, 70
@@ -39,9 +39,17 @@ def _draw_lines(column, text, icon, width, beside):
         column.label(text=line, icon=icon if i == 0 else below)
 
 
-def lines(text, share):
-    """A text in lines that fit a part of the width, without an icon and beside a label."""
-    return _broken(say(text), share=share)
+def draw_pairs(layout, pairs):
+    """Labels with texts beside them, or below them where labels are long."""
+    column, part = layout.column(align=True), share([say(label) for label, _ in pairs])
+    for label, text in pairs:
+        is_beside = part <= _LONG
+        if label or is_beside:
+            row = column.split(factor=part) if is_beside else column
+            row.label(text=say(label))
+        lines = row.column(align=True) if is_beside else column
+        for line in _broken(say(text), share=1.0 - part if is_beside else 1.0):
+            lines.label(text=line)
 
 
 def _broken(text, beside=0, share=1.0):
