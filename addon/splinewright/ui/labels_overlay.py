@@ -7,6 +7,7 @@ import numpy as np
 from ..bridge.analysis import overlays
 from ..bridge.curve import piece_materials
 from ..bridge.data.settings import overlays_of
+from ..core.base.words import say
 from . import analysis_overlay, picking
 
 _SIZE, _BELOW = 14.0, 0.72
@@ -46,7 +47,7 @@ def _draw_labels(context, ob, labels):
 
 
 def _draw_label(label, x, y, scale):
-    for text, size, drop in ((label.base, _SIZE, 0.0), (label.below, _BELOW * _SIZE, 0.25 * _SIZE), (label.after, _SIZE, 0.0)):
+    for text, size, drop in ((label.base, _SIZE, 0.0), (label.below, _BELOW * _SIZE, 0.25 * _SIZE), (say(label.after), _SIZE, 0.0)):
         if text:
             blf.size(0, size * scale)
             blf.position(0, x, y - drop * scale, 0)

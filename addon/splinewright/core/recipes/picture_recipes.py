@@ -83,11 +83,10 @@ def _orders(inputs, piece, wanted_orders, columns, polygons):
 
 def _influence(inputs, piece, index, index_v, marker, above):
     if inputs[0].has_curves:
-        moved, measure = influence.of_curves(inputs[0], piece, index, marker), "length"
+        moved, pattern = influence.of_curves(inputs[0], piece, index, marker), "it moves {share:.3g} % of the length"
     else:
-        moved, measure = influence.of_patches(inputs[0], piece, (index, index_v), above), "area"
-    said = "" if moved.share is None else phrase("it moves {share:.3g} % of the {measure}",
-                                                 share=100.0 * moved.share, measure=measure)
+        moved, pattern = influence.of_patches(inputs[0], piece, (index, index_v), above), "it moves {share:.3g} % of the area"
+    said = "" if moved.share is None else phrase(pattern, share=100.0 * moved.share)
     if inputs[0].has_curves:
         return of_parts(moved.parts, said)
     patches = sc.PatchSet.from_patches([part.curve for part in moved.parts], merge=False)
