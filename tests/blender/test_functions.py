@@ -8,7 +8,7 @@ from shapes import activate, add, require_exact
 from support import part, splinecore as sc
 
 functions, piece_materials, store = (part(name) for name in (
-    'core.formulas.functions', 'bridge.curve.piece_materials', 'bridge.data.store'))
+    'core.formulas.functions', 'bridge.shape.piece_materials', 'bridge.data.store'))
 
 
 def names_of(ob):
@@ -135,7 +135,7 @@ def test_levels_that_are_not_there_are_refused():
 
 def labels_of(ob):
     return [(f"{label.base}{label.below and '_' + label.below}{label.after}", label.point) for label in
-            part('core.analysis.labels').of(store.read(ob.data))]
+            part('core.formulas.labels').of(store.read(ob.data))]
 
 
 def test_functions_ticks_and_levels_have_their_labels():

@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, activate, add, require_exact
 from support import part, splinecore as sc
 
-labels, piece_materials, store = (part(name) for name in ('core.analysis.labels', 'bridge.curve.piece_materials', 'bridge.data.store'))
+labels, piece_materials, store = (part(name) for name in ('core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
 CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]
 PLANE = np.array([(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)], float)
 

@@ -397,7 +397,7 @@ def test_the_popover_has_every_switch(chosen):
         of_one[kind] = add(VALUES[kind](), kind)
         activate(of_one[kind])
         drawn = drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props
-        assert len(drawn) <= 11 and ("comb" in drawn) == (kind == 'nurbs') and ("stripes" in drawn) == (kind == 'nurbs patch')
+        assert len(drawn) <= 12 and ("comb" in drawn) == (kind == 'nurbs') and ("stripes" in drawn) == (kind == 'nurbs patch')
     activate(*of_one.values())
     assert panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
     assert set(drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props) == switches

@@ -152,7 +152,7 @@ def test_sums_and_stacks_end_at_one(kind):
         on = points[(points[:, 0] > inside[0]) & (points[:, 0] < inside[-1])]
         assert len(on) > 20 and np.allclose(on[:, 1], 2.0, rtol=0, atol=1e-11)
     stacked = functions.picture(family, 'stacked', 5.0, 2.0, False)
-    assert len(stacked) == sum(functions._of_points(family) > 0)
+    assert len(stacked) == sum(functions.of_points(family) > 0)
 
 
 def test_a_picture_has_its_size_axes_and_names():

@@ -182,12 +182,12 @@ def picture(family, show, width, height, has_axes):
     """
     shown = _stacked(family) if show == 'stacked' else _single(family)
     if show == 'sum':
-        shown += [Part(SUM, curve) for curve in family.graph(_of_points(family))]
+        shown += [Part(SUM, curve) for curve in family.graph(of_points(family))]
     if not shown:
         raise Refusal("all functions are zero: their knots coincide")
     start = family.places[0]
     scale = width / (family.places[-1] - start)
-    graphs = [Part(name, _placed(curve, start, scale, height)) for name, curve in shown]
+    graphs = [Part(name, placed(curve, start, scale, height)) for name, curve in shown]
     return graphs + (_axes(family.places, scale, height) if has_axes else [])
 
 
@@ -196,15 +196,19 @@ def zero_functions(family):
     return [name for i, name in enumerate(family.names) if not family.supports(i)]
 
 
+def graphs_of(family, number):
+    """The curves (u, value, 0) of one function, where it is not zero."""
+    unit = np.eye(len(family.names))[number]
+    return [part for support in family.supports(number) for curve in family.graph(unit) for part in _within(curve, *support)]
+
+
 def _single(family):
-    units = np.eye(len(family.names))
-    return [Part(name, part) for i, name in enumerate(family.names) for support in family.supports(i)
-            for curve in family.graph(units[i]) for part in _within(curve, *support)]
+    return [Part(name, part) for i, name in enumerate(family.names) for part in graphs_of(family, i)]
 
 
 def _stacked(family):
     """Of functions that weigh points."""
-    wanted, upto, shown = _of_points(family), np.zeros(len(family.names)), []
+    wanted, upto, shown = of_points(family), np.zeros(len(family.names)), []
     for i, name in enumerate(family.names):
         upto[i] = wanted[i]
         if wanted[i] and family.supports(i):
@@ -212,7 +216,8 @@ def _stacked(family):
     return shown
 
 
-def _of_points(family):
+def of_points(family):
+    """(n,): 1 for each function that weighs a point, 0 for others."""
     return np.array(family.is_point or [True] * len(family.names), dtype=np.float64)
 
 
@@ -236,7 +241,8 @@ def _axes(places, scale, height):
     return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number:.6g}", one) for number, one in ticks]
 
 
-def _placed(curve, start, scale, height):
+def placed(curve, start, scale, height):
+    """A graph that begins at 0 instead of a start, as many times as wide and as high."""
     points = curve.points.copy()
     points[:, 0] = (points[:, 0] - start) * scale
     points[:, 1] *= height
