@@ -35,7 +35,7 @@ def _picture(families, show, index, index_v, width, depth, height):
 
 
 PRODUCTS = Recipe(
-    "products", "Products of Functions on Knots", "The products of two functions over the square of u and v, exact: by them a patch is the sum of its points",
+    "products", "Products of Functions on Knots", "The products of functions along u and v over their square, exact",
     (FAMILY, DEGREE, replace(KNOTS, label="Knots Along U"), replace(DEGREE, name="degree_v", label="Degree Along V"),
      replace(KNOTS, name="knot_values_v", label="Knots Along V"), *_DRAWN), _products, resolution=8, is_surface=True)
 RECIPES = (
