@@ -138,6 +138,20 @@ def test_influence_on_every_kind_of_surface_is_a_red_surface(name):
     require_exact(ob)
 
 
+def test_influence_on_a_surface_follows_its_knots_and_points():
+    net = np.dstack(np.meshgrid(np.arange(5.0), np.arange(4.0), [0.0], indexing='ij')).reshape(5, 4, 3)
+    source = add(sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net), "surface")
+    ob = made('influence', source, index=1, index_v=1, above=0.0, piece=1)
+    corners = [(vertex.co.x, vertex.co.y) for vertex in ob.data.vertices]
+    assert (min(corners), max(corners)) == ((0, 0), (2, 2))
+    source.data.splinewright.value = sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net + (0, 0, 2))
+    bpy.context.view_layer.update()
+    assert {vertex.co.z for vertex in ob.data.vertices} == {2.0}
+    source.data.splinewright.value = source.data.splinewright.value.insert_knot('u', 0.5)
+    bpy.context.view_layer.update()
+    assert max(vertex.co.x for vertex in ob.data.vertices) == 1.0
+
+
 def test_ducks_hold_a_strip_with_its_energy_as_label():
     ob = made('ducks', ends=0.3)
     assert names_of(ob)[:3] == ["strip", "end", "end"] and any(label.startswith("E = ") for label in labels_of(ob))

@@ -63,7 +63,7 @@ def patches():
     points, weights = RANDOM.uniform(-1, 1, (7, 6, 3)), RANDOM.uniform(0.5, 2, (7, 6))
     yield 'clamped', sc.NurbsPatch((3, 2), ([0, 0, 0, 0, 1, 1, 2, 3, 3, 3, 3], [0, 0, 0, 1, 2, 4, 5, 5, 5]), points, weights)
     yield 'unclamped', sc.NurbsPatch((2, 3), (np.cumsum(RANDOM.uniform(0.2, 1, 10)), np.cumsum(RANDOM.uniform(0.2, 1, 10))), points)
-    yield 'a tube', sc.NurbsPatch((2, 1), (np.cumsum(RANDOM.uniform(0.2, 1, 8)), [0, 0, 1, 2, 3, 4, 4][:8]), points[:, :5], periodic=(True, False))
+    yield 'a tube', sc.NurbsPatch((2, 1), (np.cumsum(RANDOM.uniform(0.2, 1, 8)), [0, 0, 1, 2, 3, 4, 4]), points[:, :5], periodic=(True, False))
     yield 'a ring', sc.NurbsPatch((3, 2), (range(8), range(7)), points, weights, (True, True))
     yield 'a narrow ring', sc.NurbsPatch((3, 1), ([0, 1, 2.5, 4], [0, 0, 1, 1]), points[:3, :2], periodic=(True, False))
     yield 'Bezier', sc.BezierPatch(points[:4, :3], weights[:4, :3])
