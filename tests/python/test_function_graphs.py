@@ -165,6 +165,22 @@ def test_a_picture_has_its_size_axes_and_names():
     assert {graph.curve.points[0, 0] for graph in graphs if graph.name.startswith(functions.TICK)} >= {0.0, 2.0, 6.0}
 
 
+@pytest.mark.parametrize('degree, knots, wanted', ((3, range(8), (3, 4)), (2, [0, 0, 0, 1, 2, 2, 2], (0, 2)), (0, [1, 2, 5], (1, 5)), (2, [0, 1, 2, 3], None),
+                                                   (2, [0, 1, 1, 1, 2], None)))
+def test_the_domain_is_where_functions_add_up_to_1(degree, knots, wanted):
+    family = functions.of_knots(degree, list(knots))
+    assert family.domain == wanted
+    parts = [part.curve for part in functions.picture(family, 'functions', np.ptp(list(knots)), 3.0, False, True) if part.name == functions.DOMAIN]
+    if wanted is None:
+        assert parts == []
+        return
+    corners = np.concatenate([part.points for part in parts])
+    assert len(parts) == 4 and corners.min(axis=0).tolist() == [wanted[0] - knots[0], 0, 0] and corners.max(axis=0).tolist() == [wanted[1] - knots[0], 3, 0]
+    u = at_inside(*wanted)
+    assert np.allclose([sum(float(cox_de_boor(i, degree, [Fraction(knot) for knot in knots], Fraction(each))) for i in range(len(family.names))) for each in u], 1)
+    assert [part.name for part in functions.picture(functions.hermite([1, 2, 4]), 'functions', 1.0, 1.0, False, True)].count(functions.DOMAIN) == 4
+
+
 def test_functions_that_are_zero_are_named():
     family = functions.of_knots(0, [0, 1, 1, 2])
     assert functions.zero_functions(family) == ["N_{1,0}"]

@@ -19,7 +19,7 @@ _FIRST = ("Splinewright Axes", _AXES), ("Splinewright Sum", _SUM), ("Splinewrigh
 _INFLUENCE = "Splinewright Influence", (0.9, 0.05, 0.05)
 _SURFACE_SUM = "Splinewright Surface Sum", _SUM
 #: The slots of what is no function.
-_OTHERS = {functions.AXIS: 0, functions.TICK: 0, functions.SUM: 1, axes.GRID: 2}
+_OTHERS = {functions.AXIS: 0, functions.TICK: 0, functions.SUM: 1, functions.DOMAIN: 2, axes.GRID: 2}
 
 
 def show(data, names):

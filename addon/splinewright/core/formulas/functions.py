@@ -4,6 +4,7 @@ A family knows the graph of any combination of its functions: (u, value, 0) as c
 Lagrange and natural splines within rounding.
 """
 
+from itertools import pairwise
 from typing import Callable, NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from ..base.library import sc
 #: Most functions of a family.
 MOST = 1000
 #: What the parts of a picture that are no functions are called.
-AXIS, TICK, SUM = "axis", "tick", "sum"
+AXIS, TICK, SUM, DOMAIN = "axis", "tick", "sum", "domain"
 
 
 class Family(NamedTuple):
@@ -25,6 +26,7 @@ class Family(NamedTuple):
     graph: Callable                     # (coefficients (n,)) -> curves (u, value, 0) over all of its interval
     supports: Callable                  # (number) -> the intervals (first, last) on which a function is not zero
     is_point: tuple = ()                # whether each function weighs a point: those add up to 1; () for all
+    domain: tuple | None = ()           # (first, last) where they add up to 1; () for all of the interval, None for nowhere
 
 
 class Part(NamedTuple):
@@ -42,7 +44,8 @@ def of_knots(degree, knots):
     names = tuple(f"N_{{{i},{degree}}}" for i in range(count))
 
     graph = _steps(knots) if degree == 0 else _splines(degree, knots)
-    return Family(names, np.unique(knots), graph, lambda i: _interval(knots[i], knots[i + degree + 1]))
+    domain = (knots[degree], knots[count]) if knots[degree] < knots[count] else None
+    return Family(names, np.unique(knots), graph, lambda i: _interval(knots[i], knots[i + degree + 1]), domain=domain)
 
 
 def of_curve(curve):
@@ -175,10 +178,11 @@ def _require_nodes(nodes, least):
     return nodes
 
 
-def picture(family, show, width, height, has_axes):
+def picture(family, show, width, height, has_axes, has_domain=False):
     """The Parts of a picture of a family: the functions, 'sum' with their sum, 'stacked' each upon the sum of those before.
 
-    The interval is as wide as `width`, the value 1 as high as `height`; it begins at 0. Raises Refusal where nothing is to be seen.
+    The interval is as wide as `width`, the value 1 as high as `height`; it begins at 0. has_domain: whether there is a rectangle on the
+    part where functions add up to 1. Raises Refusal where nothing is to be seen.
     """
     shown = _stacked(family) if show == 'stacked' else _single(family)
     if show == 'sum':
@@ -188,7 +192,7 @@ def picture(family, show, width, height, has_axes):
     start = family.places[0]
     scale = width / (family.places[-1] - start)
     graphs = [Part(name, placed(curve, start, scale, height)) for name, curve in shown]
-    return graphs + (_axes(family.places, scale, height) if has_axes else [])
+    return graphs + (_domain(family, scale, height) if has_domain else []) + (_axes(family.places, scale, height) if has_axes else [])
 
 
 def zero_functions(family):
@@ -228,6 +232,14 @@ def _within(curve, first, last):
     if first >= last:
         return []
     return [curve if (first, last) == (start, end) else curve.part(first, last)]
+
+
+def _domain(family, scale, height):
+    if family.domain is None:
+        return []
+    first, last = ((u - family.places[0]) * scale for u in family.domain or family.places[[0, -1]])
+    corners = [(first, 0.0), (first, height), (last, height), (last, 0.0), (first, 0.0)]
+    return [Part(DOMAIN, line(*leg)) for leg in pairwise(corners)]
 
 
 def _axes(places, scale, height):

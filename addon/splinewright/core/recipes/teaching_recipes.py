@@ -30,14 +30,15 @@ _SHOW = Parameter("show", "Show", "How the functions are drawn", "functions", ch
 _WIDTH = Parameter("width", "Width", "From the first to the last knot", 2.0, 1e-3, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Of the value 1", 1.0, unit='LENGTH')
 _AXES = Parameter("axes", "Axes", "Axes with a tick at every knot", True, before=False)
+_DOMAIN = Parameter("domain", "Domain", "A rectangle on the interval where all functions of each span are there: it is that of a curve", False)
 
 
-def _functions(points, family, degree, knot_values, show, width, height, axes):
-    return _picture(family_of(family, degree, numbers_of(knot_values)), show, width, height, axes)
+def _functions(points, family, degree, knot_values, **drawn):
+    return _picture(family_of(family, degree, numbers_of(knot_values)), **drawn)
 
 
-def _basis(inputs, piece, show, width, height, axes):
-    return _picture(functions.of_curve(teaching.curve_of(inputs[0], piece)), show, width, height, axes)
+def _basis(inputs, piece, **drawn):
+    return _picture(functions.of_curve(teaching.curve_of(inputs[0], piece)), **drawn)
 
 
 def family_of(name, degree, knots):
@@ -49,10 +50,11 @@ def family_of(name, degree, knots):
     return getattr(functions, name)(knots)
 
 
-def _picture(family, show, width, height, axes):
+def _picture(family, show, width, height, axes, domain):
     zero = functions.zero_functions(family)
-    said = phrase("zero everywhere: {zero}", zero=', '.join(zero)) if zero else ""
-    return of_parts(functions.picture(family, show, width, height, axes), said)
+    said = [phrase("zero everywhere: {zero}", zero=', '.join(zero))] if zero else []
+    said += ["there is no domain: no span has all its functions"] if domain and family.domain is None else []
+    return of_parts(functions.picture(family, show, width, height, axes, domain), "; ".join(said))
 
 
 def of_parts(parts, said="", warning=""):
@@ -137,10 +139,10 @@ AXES = Recipe(
      Parameter("spatial", "Z Axis", "An axis of z, too", False)), _axes, resolution=1, thickness=0.005)
 FUNCTIONS = Recipe(
     "functions", "Basis Functions on Knots", "The graphs of B-spline, Bernstein, Hermite, Lagrange or natural spline functions, exact",
-    (FAMILY, DEGREE, KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES), _functions, resolution=16, thickness=0.006)
+    (FAMILY, DEGREE, KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES, _DOMAIN), _functions, resolution=16, thickness=0.006)
 RECIPES = (
     Recipe("basis", "Basis Functions", "The graphs of the basis functions of a curve, exact; they follow when its knots change",
-           (_WIDTH, _HEIGHT, PIECE, _SHOW, _AXES), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
+           (_WIDTH, _HEIGHT, PIECE, _SHOW, _AXES, _DOMAIN), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
     Recipe("construction", "Construction of a Point",
            "The polygons by which a point of a curve is found; they follow when the curve is edited",
            (Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0), _SCHEME,
