@@ -82,7 +82,7 @@ def test_they_follow_while_a_knot_is_moved_and_while_it_is_typed():
     source = add(bilinear(), "patch")
     ob = made('basis_products', source, show='chosen', index=1, index_v=1)
     activate(source)
-    assert bpy.ops.splinewright.move_knot('EXEC_DEFAULT', True, knot=2, parameter=0.5) == {'FINISHED'}
+    assert bpy.ops.splinewright.move_knot('EXEC_DEFAULT', True, piece=1, knot=3, parameter=0.5) == {'FINISHED'}
     bpy.context.view_layer.update()
     assert np.unique(ob.data.splinewright.value.to_nurbs().knots[0] if not isinstance(ob.data.splinewright.value, sc.PatchSet)
                      else ob.data.splinewright.value[0].knots[0]).tolist() == [0.0, 0.5, 2.0]

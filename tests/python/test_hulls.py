@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.spatial import ConvexHull
+from scipy.spatial import ConvexHull, HalfspaceIntersection
 
 import splinecore as sc
 from addon_core import core
@@ -96,6 +96,18 @@ def test_an_intersection_lies_in_both_and_has_the_points_that_both_have(seed):
     assert holds(common, shared, 4e-6)
     if common.rank == 3:
         assert ConvexHull(common.corners).volume == pytest.approx(ConvexHull(swapped.corners).volume, abs=1e-5)
+
+
+@pytest.mark.parametrize('seed', range(20))
+def test_hulls_of_many_points_have_the_intersection_of_their_half_spaces(seed):
+    """Against SciPy (Qhull)."""
+    rng = np.random.default_rng(seed)
+    one, other = (convex.hull(rng.uniform(0, 1, (16, 3)) + (0.3 * i, 0, 0)) for i in range(2))
+    common = convex.intersection(one, other)
+    planes = np.concatenate([np.column_stack([each.normals, -each.offsets]) for each in (one, other)])
+    wanted = HalfspaceIntersection(planes, common.corners.mean(axis=0))
+    assert ConvexHull(common.corners).volume == pytest.approx(ConvexHull(wanted.intersections).volume, rel=1e-4)
+    assert holds(one, common.corners, 4e-6) and holds(other, common.corners, 4e-6)
 
 
 @pytest.mark.parametrize('by, rank, corners', (((0.5, 0.25, 0.5), 3, 8), ((1, 0, 0), 2, 4), ((1, 1, 0), 1, 2), ((1, 1, 1), 0, 1)))

@@ -4,7 +4,7 @@ A stroke is a text of corners, each a digit for x and one for y.
 """
 
 #: How high capitals are on the grid, where the line is, and the gap between signs.
-CAPITAL, LINE, GAP = 6.0, 2.0, 1.3
+CAPITAL, LINE, GAP = 6.0, 2.0, 1.25
 _BOWL, _SMALL_BOWL = "12 03 07 18 38 47 43 32 12", "35 26 16 05 03 12 22 33 35"
 STROKES = {
     '0': "12 03 07 18 28 37 33 22 12", '1': "07 18 12;02 22", '2': "07 18 38 47 46 02 42", '3': "07 18 38 47 46 35 15;35 44 43 32 12 03", '4': "32 38 04 44",
