@@ -94,7 +94,7 @@ def _wanted(slot, kind):
 
 
 def _face_material(slot, kind):
-    """Surfaces are seen by their shade, but for what is red everywhere."""
+    """Shaded, so that the form of a surface is seen; the influence of a point is red in every light."""
     if kind == influence.INFLUENCE:
         return _material(*_INFLUENCE)
     if kind == functions.SUM:

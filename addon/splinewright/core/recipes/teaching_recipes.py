@@ -66,7 +66,7 @@ def of_parts(parts, said="", warning=""):
 
 
 def of_surfaces(parts, said=""):
-    """The Result that is a picture of patches, each for itself."""
+    """The Result that is a picture of patches; none are joined."""
     drawn = definitions.from_value(sc.PatchSet.from_patches([part.curve for part in parts], merge=False))
     return Result(definitions.named(drawn, [part.name for part in parts]), said=said)
 
