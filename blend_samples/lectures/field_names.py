@@ -11,7 +11,7 @@ FIELDS = {
     'splinewright.set_knots': {'knots': "Knots"},
     'splinewright.add_chain_points': {'polygons': "Polygons", 'marker': "Marker"},
     'splinewright.add_revolve': {'axis': "Axis", 'offset_y': "Offset Y", 'hide_inputs': "Hide Inputs"},
-    'splinewright.add_functions': {'family': "Functions", 'degree': "Degree", 'knot_values': "Knots", 'width': "Width", 'height': "Height", 'location': "Location", 'resolution_u': "Resolution", 'show': "Show"},
+    'splinewright.add_functions': {'family': "Functions", 'degree': "Degree", 'knot_values': "Knots", 'width': "Width", 'height': "Height", 'location': "Location", 'resolution_u': "Resolution", 'show': "Show", 'domain': "Domain"},
     'splinewright.add_triangle': {'degree': "Degree", 'knot_values': "Knots", 'chosen': "Functions", 'feeding': "Show", 'spans': "Spans", 'across': "Column Width"},
     'splinewright.add_teapot': {'resolution_u': "Resolution U", 'resolution_v': "Resolution V", 'location': "Location"},
     'splinewright.add_formula': {'x': "x(t)", 'y': "y(t)", 'z': "z(t)", 'start': "Start", 'end': "End", 'constants': "Constants"},

@@ -19,7 +19,7 @@ _CURVES, _PATCHES = {'curve'}, {'patch'}
 #: Switches by groups, of what they show something, and the settings that belong to them.
 _GROUPS = (
     ("Structure", (
-        ("polygon", object_kinds.SHAPES, ()), ("labels", object_kinds.SHAPES, ()), ("points_behind", object_kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", object_kinds.SHAPES, ()),
+        ("polygon", object_kinds.SHAPES, ()), ("labels", object_kinds.SHAPES, ()), ("axes", object_kinds.SHAPES, ()), ("points_behind", object_kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", object_kinds.SHAPES, ()),
         ("weights", object_kinds.SHAPES, ()), ("strip", object_kinds.SHAPES, ("strip_tolerance",)), ("isocurves", _PATCHES, ("isocurve_count",)),
         ("normals", _PATCHES, ("normal_length", "normal_count")))),
     ("Curvature", (

@@ -196,8 +196,9 @@ def _draw_list(layout, data, recipe, parameter, is_net_out):
     group = parameters.of(data)
     grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
     grid.enabled = not is_net_out
+    letter = 'v' if parameter.name.endswith('_v') else 'u'
     for i in parameters.numbers_in(getattr(group, parameters.name_of(recipe, parameter)), parameter.numbers):
-        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=say(f"u{i}"))
+        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=say(f"{letter}{i}"))
 
 
 CLASSES = (SplinewrightInput, SplinewrightRecipe)
