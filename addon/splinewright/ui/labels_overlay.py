@@ -22,14 +22,14 @@ def draw():
         return
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    for ob in _labeled(context):
+    for ob in labeled(context):
         found = overlays.kept(ob.data, 'labels', (), overlays.labels_of)
         if found:
             _draw_labels(context, ob, found)
     blf.disable(0, blf.SHADOW)
 
 
-def _labeled(context):
+def labeled(context):
     """Selected shapes, and all pictures that are seen."""
     pictures = [ob for ob in context.visible_objects if ob.type == 'CURVE' and piece_materials.KEY in ob.data.keys()]
     return dict.fromkeys((*analysis_overlay.active_shapes(context), *pictures))
