@@ -1,5 +1,6 @@
 """Figures: what a view shows is in the file, as paths that are read again."""
 
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import bpy
@@ -11,8 +12,8 @@ from natives import native_curve
 from shapes import VALUES, add, enter, leave, op
 from support import part, scene_state, splinecore as sc
 
-drawn, outlines, page, reports = (part(name) for name in (
-    'bridge.figures.drawn', 'bridge.figures.outlines', 'core.figures.page', 'ui.operators.reports'))
+drawn, outlines, page, operator, picking, reports = (part(name) for name in (
+    'bridge.figures.drawn', 'bridge.figures.outlines', 'core.figures.page', 'ui.operators.figure', 'ui.picking', 'ui.operators.reports'))
 NAMESPACE = "{http://www.w3.org/2000/svg}"
 CUBIC = sc.BezierCurve([(-1, -1, 0), (-0.5, 1, 0), (0.5, -1, 0), (1, 1, 0)])
 TOP = page.around(np.array([(-2.0, -1.5, 0), (2, 1.5, 0)]), np.eye(3), 160.0, 120.0, 0.0)
@@ -41,24 +42,30 @@ def elements(root, tag):
     return list(root.iter(NAMESPACE + tag))
 
 
-def turned_view():
-    """The 3D view of the window, which looks down from above."""
-    (_, region, seen), *_ = part('ui.picking').views_of(bpy.context.window_manager.windows[0])
-    seen.view_perspective, seen.view_distance, seen.view_location = 'ORTHO', 10.0, (0, 0, 0)
-    seen.view_rotation = (1, 0, 0, 0)
-    seen.update()
+def real_view():
+    """(region, its RegionView3D) of the 3D view of the window, as it comes with Blender, in perspective."""
+    return operator._view(bpy.context)[2:]
+
+
+@pytest.fixture
+def from_above(monkeypatch):
+    """The same view, eight units wide, from above: without a window Blender does not turn it. (region, what stands for its RegionView3D)."""
+    window, area, region, _ = operator._view(bpy.context)
+    clip = Matrix.Diagonal((0.25, 0.25 * region.width / region.height, -0.01, 1.0))
+    seen = SimpleNamespace(perspective_matrix=clip, view_perspective='ORTHO')
+    monkeypatch.setattr(operator, '_view', lambda context: (window, area, region, seen))
     return region, seen
 
 
-def test_a_curve_in_the_view_is_one_cubic_with_its_projected_points(tmp_path):
-    region, seen = turned_view()
+def test_a_curve_in_the_view_is_one_cubic_with_its_projected_points(tmp_path, from_above):
+    region, seen = from_above
     add(CUBIC, "wave")
     root = export(tmp_path / "wave.svg", width=200.0)
     (element,) = elements(root, 'path')
     assert root.get('width') == "200mm" and root.find(f".//{NAMESPACE}g/{NAMESPACE}title") is not None
     numbers = [float(number) for number in element.get('d').replace("M", " ").replace("C", " ").replace(",", " ").split()]
     height = 200.0 * region.height / region.width
-    wanted = part('ui.picking').on_screen(region, seen, Matrix(), np.array(CUBIC.points)) * (200 / region.width) * (1, -1) + (0, height)
+    wanted = picking.on_screen(region, seen, Matrix(), np.array(CUBIC.points)) * (200 / region.width) * (1, -1) + (0, height)
     assert np.allclose(np.reshape(numbers, (4, 2)), wanted, atol=1e-6)
 
 
@@ -126,8 +133,7 @@ def test_a_front_and_a_back_of_a_sphere():
     assert 0.3 * whole < front < 0.85 * whole
 
 
-def test_a_net_that_is_out_is_drawn(tmp_path):
-    turned_view()
+def test_a_net_that_is_out_is_drawn(tmp_path, from_above):
     add(CUBIC, "wave")
     enter()
     root = export(tmp_path / "net.svg")
@@ -137,8 +143,7 @@ def test_a_net_that_is_out_is_drawn(tmp_path):
     assert sum(element.get('d').count("L") for element in net) == 3 and all("C" not in element.get('d') for element in net)
 
 
-def test_the_net_and_names_of_overlays_are_drawn(tmp_path):
-    turned_view()
+def test_the_net_and_names_of_overlays_are_drawn(tmp_path, from_above):
     add(sc.BezierCurve(CUBIC.points, [1, 2, 1, 1]), "wave")
     chosen = bpy.context.scene.splinewright_sights
     chosen.polygon = chosen.labels = True
@@ -180,29 +185,25 @@ def test_letters_that_look_otherwise_are_otherwise():
 
 
 def test_the_view_in_perspective_lies_on_what_the_window_shows(tmp_path):
-    region, seen = turned_view()
-    seen.view_perspective, seen.view_rotation = 'PERSP', (0.8, 0.4, 0.2, 0.4)
-    seen.update()
+    region, seen = real_view()
     curve = sc.conics.circle((0, 0, 0), 1.0)
     add(curve, "ring")
     root = export(tmp_path / "ring.svg", width=160.0, behind='SHOW')
     (element,) = elements(root, 'path')
     ends = [tuple(map(float, pair.split(","))) for pair in element.get('d').replace("M", "").replace("C", "").replace("Z", "").split()]
-    wanted = part('ui.picking').on_screen(region, seen, Matrix(), curve.evaluate(np.linspace(*curve.domain, 5000)))
+    wanted = picking.on_screen(region, seen, Matrix(), curve.evaluate(np.linspace(*curve.domain, 5000)))
     wanted = wanted * (160 / region.width) * (1, -1) + (0, 160.0 * region.height / region.width)
     on_curve = np.array(ends)[::3]
     assert max(np.linalg.norm(wanted - end, axis=1).min() for end in on_curve) < 0.02
 
 
-def test_a_view_without_anything_to_draw_is_refused(tmp_path):
-    turned_view()
+def test_a_view_without_anything_to_draw_is_refused(tmp_path, from_above):
     with pytest.raises(RuntimeError, match="Nothing to draw"):
         op(bpy.ops.splinewright.export_figure, filepath=str(tmp_path / "none.svg"))
     assert not list(tmp_path.iterdir())
 
 
-def test_a_name_without_an_ending_gets_that_of_the_format(tmp_path):
-    turned_view()
+def test_a_name_without_an_ending_gets_that_of_the_format(tmp_path, from_above):
     add(CUBIC, "wave")
     assert op(bpy.ops.splinewright.export_figure, filepath=str(tmp_path / "wave")) == {'FINISHED'}
     assert [path.name for path in tmp_path.iterdir()] == ["wave.svg"]
@@ -210,8 +211,7 @@ def test_a_name_without_an_ending_gets_that_of_the_format(tmp_path):
         op(bpy.ops.splinewright.export_figure, filepath=str(tmp_path))
 
 
-def test_a_pdf_is_written_or_a_sentence_says_what_it_needs(tmp_path):
-    turned_view()
+def test_a_pdf_is_written_or_a_sentence_says_what_it_needs(tmp_path, from_above):
     add(CUBIC, "wave")
     path = tmp_path / "wave.pdf"
     try:
@@ -224,8 +224,7 @@ def test_a_pdf_is_written_or_a_sentence_says_what_it_needs(tmp_path):
         assert export(path).startswith(b"%PDF")
 
 
-def test_what_is_not_drawn_is_reported(monkeypatch, tmp_path):
-    turned_view()
+def test_what_is_not_drawn_is_reported(monkeypatch, tmp_path, from_above):
     ob = add(CUBIC, "wave")
     ob.modifiers.new("Bend", 'SIMPLE_DEFORM')
     said = []

@@ -40,13 +40,8 @@ def near(pixels=_NEAR):
 
 
 def views():
-    """views_of() the window of the context."""
-    return views_of(bpy.context.window)
-
-
-def views_of(window):
-    """(area, region, its RegionView3D) of every 3D view of a window."""
-    return [(area, region, region.data) for area in window.screen.areas if area.type == 'VIEW_3D'
+    """(area, region, its RegionView3D) of every 3D view of the window."""
+    return [(area, region, region.data) for area in bpy.context.window.screen.areas if area.type == 'VIEW_3D'
             for region in area.regions if region.type == 'WINDOW' and region.data]
 
 

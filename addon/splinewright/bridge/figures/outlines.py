@@ -20,9 +20,10 @@ _POST = "|"
 
 def letters(characters):
     """A function that gives the core.figures.letters.Letter of each of these characters. Raises Refusal where the font lacks one."""
+    known = set(bpy.data.fonts)
     data = bpy.data.curves.new('Splinewright Letters', 'FONT')
     ob = bpy.data.objects.new('Splinewright Letters', data)
-    known, font = set(bpy.data.fonts), _font()
+    font = _font()
     try:
         if font is not None:
             data.font = font

@@ -16,7 +16,7 @@ from ...core.base.failures import FAILURES
 from ...core.base.words import phrase, say
 from ...core.figures import page, pdf, svg
 from ...core.figures.figure import ink
-from .. import analysis_overlay, colors, editing, labels_overlay, picking
+from .. import analysis_overlay, colors, editing, labels_overlay
 from . import reports
 from .exchange import path_of, path_property, printable
 
@@ -30,9 +30,9 @@ def _millimeters(name, description, default, most):
 def _view(context):
     """(window, area, region, its RegionView3D) of the 3D view that is meant: where the mouse is, or the largest of the window; or None."""
     window = context.window or next(iter(context.window_manager.windows), None)
-    if window is None:
-        return None
-    found = [(window, *view) for view in picking.views_of(window)]
+    found = [(window, area, region, region.data or area.spaces.active.region_3d)        # a region has no data without a window
+             for area in (window.screen.areas if window is not None else ()) if area.type == 'VIEW_3D'
+             for region in area.regions if region.type == 'WINDOW']
     return next((view for view in found if view[2] == context.region), max(found, key=lambda view: view[2].width * view[2].height, default=None))
 
 
