@@ -213,6 +213,7 @@ BECAUSE = {
     'release_seam': "what was held stays where it was", 'clear_point_keys': "removes keyframes",
     'set_patch_material': "gives faces a material", 'tolerance_from_render': "sets how fine the mesh is",
     'update_now': "makes again what recipes make, which have cases", 'update_late': "the same, beside Blender", 'export_bpt': "writes a file",
+    'export_figure': "writes a file",
     'project_points': "makes meshes of points", 'radius_here': "changes the radius, which lies along a curve",
     'tilt_here': "changes the tilt, which lies along a curve", 'bake_animation': "leaves keys, and no shape",
     'unbake': "brings back the shapes of before",

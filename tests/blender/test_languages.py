@@ -194,7 +194,7 @@ def test_a_language_that_was_chosen_before_is_there_at_the_start(started_anew):
 
 @in_languages
 def test_what_is_written_beside_points_follows_the_language(monkeypatch):
-    overlay, labels, drawn = part('ui.labels_overlay'), part('core.analysis.labels'), []
+    overlay, labels, drawn = part('ui.labels_overlay'), part('core.formulas.labels'), []
     monkeypatch.setattr(overlay, 'blf', SimpleNamespace(size=lambda *_: None, position=lambda *_: None, dimensions=lambda *_: (10.0, 10.0),
                                                         draw=lambda _font, text: drawn.append(text)))
     many = part('core.shape.definition').from_value(sc.NurbsPatch((1, 1), (np.r_[0, np.arange(30.0), 29],) * 2, np.zeros((30, 30, 3))))

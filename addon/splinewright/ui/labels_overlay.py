@@ -24,7 +24,7 @@ def draw():
         return
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    for ob in _labeled(context) if chosen.labels else ():
+    for ob in labeled(context) if chosen.labels else ():
         _draw_labels(context, ob, overlays.kept(ob.data, 'labels', (), overlays.labels_of) or ())
     for ob in analysis_overlay.active_shapes(context) if chosen.axes else ():
         found = overlays.kept(ob.data, 'numbers', (), overlays.axes_of)
@@ -32,7 +32,7 @@ def draw():
     blf.disable(0, blf.SHADOW)
 
 
-def _labeled(context):
+def labeled(context):
     """Selected shapes, and all pictures that are seen."""
     pictures = [ob for ob in context.visible_objects if ob.type in ('CURVE', 'MESH') and piece_materials.KEY in ob.data.keys()]
     return dict.fromkeys((*analysis_overlay.active_shapes(context), *pictures))
