@@ -74,11 +74,20 @@ def _draw_watched(layout, scene, step):
             texts.draw_note(column, sentence(error), beside=_BOX)
 
 
+def _draw_choices(box, choices):
+    """A button for each; where one of them is too long they stand above buttons with their numbers."""
+    is_short = all(texts.fits(choice, _BOX) for choice in choices)
+    for i, choice in enumerate([] if is_short else choices, 1):
+        texts.draw_note(box, f"{i}. {choice}", icon='NONE', beside=_BOX)
+    row = box if is_short else box.row(align=True)
+    for i, choice in enumerate(choices):
+        row.operator("splinewright.check_answer", text=choice if is_short else str(i + 1)).choice = i
+
+
 def _draw_question(layout, scene, step, number):
     box, ask = layout.box(), step.ask
     if ask.kind == 'choose':
-        for i, choice in enumerate(ask.choices):
-            box.operator("splinewright.check_answer", text=say(choice)).choice = i
+        _draw_choices(box, list(map(say, ask.choices)))
     else:
         if ask.kind == 'number':
             fields.number(box, scene, "splinewright_answer", beside=_BOX)
