@@ -90,5 +90,5 @@ def write(folder):
     names = "\n".join(MODULES)
     (folder / "index.md").write_text(
         "# The Python module\n\n| module | contents |\n| --- | --- |\n" + "\n".join(rows) + "\n\n"
-        + manual_pages.section((PROJECT / "README.md").read_text(), "The module in ten lines")
+        + manual_pages.section((PROJECT / "README.md").read_text(), "The module in ten lines").replace("](docs/", "](../")
         + f"\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")
