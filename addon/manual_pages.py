@@ -51,7 +51,7 @@ def title(name, language=ENGLISH):
 
 
 def text(name, language=ENGLISH):
-    """A page as it is read: parts of the README are put in, and a translation names the pages in English."""
+    """A page as it is read: parts of the README are put in, and a translation marks links to English pages."""
     if language == ENGLISH:
         readme = (PROJECT / "README.md").read_text()
         return re.sub(r"^<!-- README: (.+) -->$", lambda found: section(readme, found[1]), source(name), flags=re.M)

@@ -52,7 +52,7 @@ def guide_page(name, language):
     text = re.sub(r"(?<!!)\[([^\]]+)\]\((?:addon/splinewright/)?(CHANGELOG\.md)\)", rf"[\1]({up}changelog.md)", text)
     text = re.sub(r"(?<!!)\[([^\]]+)\]\((LICENSE|CONTRIBUTING\.md|(?:addon|tests|native|examples|\.\./\.\./blend_samples)\b[^)]*)\)",
                   r"\1", text)
-    text = re.sub(r"\]\(docs/([\w-]+\.md)", rf"]({up}\1", text)
+    text = re.sub(r"\]\(docs/([\w-]+\.md)\)", rf"]({up}\1)", text)
     text = re.sub(r"<!-- F1: .*? -->\n?", "", text, flags=re.S)
     known = manual_pages.languages_of(name)
     root = "" if language == manual_pages.ENGLISH else "../"

@@ -17,4 +17,6 @@ function(compile_in_groups target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # Of names of one file that shadow another's; a build of each file judges warnings.
   target_compile_options(${target} PRIVATE -w)
+  # GCC collects its garbage when it has 400 MB, which takes a tenth less time.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=400000>)
 endfunction()

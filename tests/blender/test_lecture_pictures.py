@@ -7,7 +7,7 @@ import pytest
 from shapes import VALUES, activate, add, require_exact
 from support import part, splinecore as sc
 
-labels, piece_materials, store = (part(name) for name in ('core.analysis.labels', 'bridge.curve.piece_materials', 'bridge.data.store'))
+labels, piece_materials, store = (part(name) for name in ('core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
 CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]
 PLANE = np.array([(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)], float)
 
@@ -136,6 +136,20 @@ def test_influence_on_every_kind_of_surface_is_a_red_surface(name):
     ob = made('influence', add(VALUES[name](), "surface"), index=1, index_v=1, above=0.01)
     assert ob.type == 'MESH' and set(names_of(ob)) == {"influence"} and ob.data.materials[0].name.startswith("Splinewright Influence")
     require_exact(ob)
+
+
+def test_influence_on_a_surface_follows_its_knots_and_points():
+    net = np.dstack(np.meshgrid(np.arange(5.0), np.arange(4.0), [0.0], indexing='ij')).reshape(5, 4, 3)
+    source = add(sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net), "surface")
+    ob = made('influence', source, index=1, index_v=1, above=0.0, piece=1)
+    corners = [(vertex.co.x, vertex.co.y) for vertex in ob.data.vertices]
+    assert (min(corners), max(corners)) == ((0, 0), (2, 2))
+    source.data.splinewright.value = sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net + (0, 0, 2))
+    bpy.context.view_layer.update()
+    assert {vertex.co.z for vertex in ob.data.vertices} == {2.0}
+    source.data.splinewright.value = source.data.splinewright.value.insert_knot('u', 0.5)
+    bpy.context.view_layer.update()
+    assert max(vertex.co.x for vertex in ob.data.vertices) == 1.0
 
 
 def test_ducks_hold_a_strip_with_its_energy_as_label():

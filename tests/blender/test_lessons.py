@@ -136,7 +136,7 @@ def test_the_panel_for_nothing_selected_stays_away_from_lessons():
 
 
 @pytest.mark.parametrize('name, number, said', (
-    ("draftsman", 1, "The solution is made: energy of strip is 0.2447"), ("draftsman", 2, "The answer is 0. A straight line has the curvature 0"),
+    ("draftsman", 1, "The solution is made: bending energy of strip is 0.2447"), ("draftsman", 2, "The answer is 0. A straight line has the curvature 0"),
     ("draftsman", 3, "The answer is: the place, the tangent and the curvature. C2 means"), ("patches", 1, "The point is 6, counted from 0. B")))
 def test_show_me_says_the_answer_with_its_hint(name, number, said):
     scene = started(LESSONS[name])
