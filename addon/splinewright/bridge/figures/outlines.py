@@ -33,7 +33,6 @@ def letters(characters):
         bpy.data.objects.remove(ob)
         blocks.remove(data)
         for made in set(bpy.data.fonts) - known:
-            made.user_clear()           # a font counts itself, which Blender complains of
             bpy.data.fonts.remove(made)
     return found.__getitem__
 
