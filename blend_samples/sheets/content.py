@@ -62,16 +62,16 @@ def figure_of(scene, told):
     pictures = [ob for ob in obs if ob.type == 'CURVE' and piece_materials.KEY in ob.data.keys()]
     view = drawn.View(scene, layer, layer.depsgraph, None, tuple(selected) if chosen.polygon else (),
                       tuple(dict.fromkeys([*selected, *pictures])) if chosen.labels else (), tuple(selected))
-    points = np.concatenate([_points(ob) for ob in obs])
+    points = np.concatenate([_points(ob, ob in view.nets) for ob in obs])
     seen = page.around(points, _turn(told, points), WIDTH, HEIGHT, MARGIN)
     return drawn.figure(view, seen, drawn.Wanted(curves=0.4, isocurves=0.12, letters=2.8, points=1.1)).figure
 
 
-def _points(ob):
-    """(n, 3): of a shape and its control points, in the world."""
+def _points(ob, with_net):
+    """(n, 3): of a shape, and of its control points where they are drawn, in the world."""
     world = np.array(ob.matrix_world, dtype=np.float64)
     pool = store.read(ob.data).pool
-    points = np.concatenate([shape.points_of(ob.data), pool[pool[:, 3] != 0.0, :3]])
+    points = np.concatenate([shape.points_of(ob.data), pool[pool[:, 3] != 0.0, :3] if with_net else np.empty((0, 3))])
     return points @ world[:3, :3].T + world[:3, 3]
 
 
