@@ -11,7 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lectures"))
 from making import part                                     # noqa: E402
 
 drawn, piece_materials, store, page, in_words, stage, shape, words = (part(name) for name in (
-    'bridge.figures.drawn', 'bridge.curve.piece_materials', 'bridge.data.store', 'core.figures.page', 'core.lessons.in_words',
+    'bridge.figures.drawn', 'bridge.shape.piece_materials', 'bridge.data.store', 'core.figures.page', 'core.lessons.in_words',
     'bridge.lessons.stage', 'bridge.shape.shape', 'core.base.words'))
 #: Of figures, in mm.
 WIDTH, HEIGHT, MARGIN = 78.0, 62.0, 7.0
