@@ -202,4 +202,4 @@ def test_what_is_written_beside_points_follows_the_language(monkeypatch):
     switch('pl_PL')
     overlay._draw_label(label, 0.0, 0.0, 1.0)
     overlay._draw_label(labels.Label("P", "0,1", "  w = 2", (0, 0, 0)), 0.0, 0.0, 1.0)
-    assert drawn[0] != str(label.after) and "900" in drawn[0] and drawn[1:] == ["P", "0,1", "  w = 2"]
+    assert drawn[0] != str(label.after) and "956" in drawn[0] and drawn[1:] == ["P", "0,1", "  w = 2"]
