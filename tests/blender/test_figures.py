@@ -156,6 +156,17 @@ def test_the_net_and_names_of_overlays_are_drawn(tmp_path, from_above):
     assert not elements(root, 'text')
 
 
+def test_axes_and_their_numbers_are_drawn(tmp_path, from_above):
+    add(CUBIC, "wave")
+    plain = export(tmp_path / "plain.svg")
+    bpy.context.scene.splinewright_sights.axes = True
+    root = export(tmp_path / "axes.svg")
+    assert len(elements(root, 'path')) > len(elements(plain, 'path'))
+    numbers = {element.get('aria-label') for element in elements(root, 'path')} - {None}
+    values = sorted(float(number.replace("−", "-")) for number in numbers)
+    assert values[0] == -1.0 and values[-1] == 1.0 and len(values) > 4
+
+
 def test_the_net_of_a_patch_has_both_ways():
     add(sc.BezierPatch(np.stack(np.meshgrid(range(3), range(4), [0], indexing='ij'), -1)[:, :, 0] - (1.0, 1.5, 0)), "sheet")
     _, net = (group for group in drawing(nets=[bpy.data.objects["sheet"]]).figure.groups if group.name == "sheet")

@@ -4,23 +4,12 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, activate, add, require_exact
+from shapes import VALUES, activate, add, made, pieces_named, require_exact
 from support import part, splinecore as sc
 
 labels, piece_materials, store = (part(name) for name in (
     'core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
 SURFACES = ('bezier patch', 'hermite patch', 'nurbs patch', 'patch with a point at infinity', 'teapot', 'mixed set')
-
-
-def made(kind, *sources, **settings):
-    if sources:
-        activate(*sources)
-    assert getattr(bpy.ops.splinewright, f"add_{kind}")('EXEC_DEFAULT', True, **settings) == {'FINISHED'}
-    return bpy.context.object
-
-
-def names_of(ob):
-    return [piece.name for piece in store.read(ob.data).pieces]
 
 
 def texts_of(ob):
@@ -44,7 +33,7 @@ def bilinear():
 @pytest.mark.parametrize('name', SURFACES)
 def test_products_are_made_of_every_kind_of_surface(name, show):
     ob = made('basis_products', add(VALUES[name](), "surface"), show=show, index=1, index_v=0)
-    assert ob.type == 'MESH' and all(names_of(ob)) and set(sum(slots_of(ob), [])) == set(range(len(set(names_of(ob)))))
+    assert ob.type == 'MESH' and all(pieces_named(ob)) and set(sum(slots_of(ob), [])) == set(range(len(set(pieces_named(ob)))))
     top = max(vertex.co.z for vertex in ob.data.vertices)
     assert top == pytest.approx(1.0, abs=1e-6) if show == 'sum' else top > 0
     require_exact(ob)
@@ -52,10 +41,10 @@ def test_products_are_made_of_every_kind_of_surface(name, show):
 
 def test_each_product_has_its_color_and_label():
     ob = made('products', degree=1, knot_values="0 1 2 3", degree_v=1, knot_values_v="0 1 2", show='all', width=3.0, depth=2.0)
-    assert names_of(ob) == ["N_{0,1} N_{0,1}", "N_{1,1} N_{0,1}"] and slots_of(ob) == [[0], [1]]
+    assert pieces_named(ob) == ["N_{0,1} N_{0,1}", "N_{1,1} N_{0,1}"] and slots_of(ob) == [[0], [1]]
     assert texts_of(ob) == ["N0,1 N0,1", "N1,1 N0,1"]
     colors = piece_materials.colors_of(ob.data)
-    assert colors[names_of(ob)[0]] == pytest.approx((0.0, 0.45, 0.70, 1.0), abs=1e-6) and len(set(colors.values())) == 2
+    assert colors[pieces_named(ob)[0]] == pytest.approx((0.0, 0.45, 0.70, 1.0), abs=1e-6) and len(set(colors.values())) == 2
     assert all(len(material.node_tree.nodes) == 2 for material in ob.data.materials)
     require_exact(ob)
 
@@ -63,16 +52,16 @@ def test_each_product_has_its_color_and_label():
 def test_they_follow_the_knots_of_the_patch():
     source = add(bilinear(), "patch")
     ob = made('basis_products', source, show='all')
-    assert len(names_of(ob)) == 6
+    assert len(pieces_named(ob)) == 6
     mine = bpy.data.materials.new("mine")
     ob.data.materials[1] = mine
     source.data.splinewright.value = bilinear().insert_knot('v', 1.0)
     bpy.context.view_layer.update()
-    assert len(names_of(ob)) == 9 and slots_of(ob) == [[number] for number in range(9)] and ob.data.materials[1] == mine
+    assert len(pieces_named(ob)) == 9 and slots_of(ob) == [[number] for number in range(9)] and ob.data.materials[1] == mine
     moved = bilinear()
     source.data.splinewright.value = sc.NurbsPatch(moved.degree, ([0, 0, 0.25, 2, 2], [0, 0, 2, 2]), moved.points)
     bpy.context.view_layer.update()
-    assert len(names_of(ob)) == 6
+    assert len(pieces_named(ob)) == 6
     (top,) = {round(label.point[0], 3) for label in labels.of(store.read(ob.data)) if label.below == "1,1"}
     assert top == 0.125
     require_exact(ob)
@@ -105,7 +94,7 @@ def test_what_a_user_gave_faces_stays_while_names_do(tmp_path):
     name = ob.name
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "products.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "products.blend"))
-    assert slots_of(bpy.data.objects[name]) == [[1], [1]] and len(names_of(bpy.data.objects[name])) == 2
+    assert slots_of(bpy.data.objects[name]) == [[1], [1]] and len(pieces_named(bpy.data.objects[name])) == 2
 
 
 def test_zero_functions_are_told_and_what_cannot_be_is_refused(capfd):
@@ -120,7 +109,7 @@ def test_zero_functions_are_told_and_what_cannot_be_is_refused(capfd):
 def test_discs_of_every_kind_of_surface_follow_it(name):
     source = add(VALUES[name](), "surface")
     ob = made('discs', source, position=0.3, position_v=0.6, radius=0.5, piece=1)
-    assert names_of(ob)[-1].startswith("mark S  u = ") and len(ob.data.materials) > 3
+    assert pieces_named(ob)[-1].startswith("mark S  u = ") and len(ob.data.materials) > 3
     require_exact(ob)
 
 
@@ -128,9 +117,9 @@ def test_discs_of_a_patch_have_the_colors_of_the_products_and_take_keys():
     flat = np.dstack(np.meshgrid([0, 1, 2.0], [0, 1.0], [0.0], indexing='ij')).reshape(3, 2, 3)
     source = add(sc.BezierPatch(flat), "patch")
     ob, hills = made('discs', source, position=0.5, position_v=0.25, radius=1.0), made('basis_products', source, show='all')
-    assert names_of(ob)[:-1] == names_of(hills)
+    assert pieces_named(ob)[:-1] == pieces_named(hills)
     discs, products = piece_materials.colors_of(ob.data), piece_materials.colors_of(hills.data)
-    assert all(discs[name] == products[name] for name in names_of(hills))
+    assert all(discs[name] == products[name] for name in pieces_named(hills))
     ob.data.splinewright_parameters.discs_position_v = 0.5
     bpy.context.view_layer.update()
     radii = [np.ptp(value.evaluate(np.linspace(*value.domain, 5))[:, 0]) / 2 for value in ob.data.splinewright.value[:6]]
@@ -142,16 +131,16 @@ def test_hulls_of_surfaces_have_intersections(name):
     source = add(VALUES[name](), "surface")
     for of in ('spans', 'whole'):
         ob = made('hulls', source, hulls_of=of, show='both')
-        assert {each.partition(" ")[0] for each in names_of(ob)} <= {"hull", "intersection"}
+        assert {each.partition(" ")[0] for each in pieces_named(ob)} <= {"hull", "intersection"}
         require_exact(ob)
     if name == 'teapot':
-        assert "intersection" in names_of(ob)
+        assert "intersection" in pieces_named(ob)
 
 
 @pytest.mark.parametrize('name', VALUES)
 def test_labels_are_made_of_every_kind_of_shape(name):
     ob = made('labels', add(VALUES[name](), "shape"), height=0.1)
-    assert ob.type == 'CURVE' and ob.data.bevel_depth > 0 and all(each.startswith("text ") for each in names_of(ob))
+    assert ob.type == 'CURVE' and ob.data.bevel_depth > 0 and all(each.startswith("text ") for each in pieces_named(ob))
     require_exact(ob)
 
 
@@ -163,10 +152,10 @@ def test_letters_have_the_colors_of_what_they_name_and_follow():
     assert all(color == lines[name.removeprefix("text ")] for name, color in letters.items())
     graphs.data.splinewright_parameters.functions_knot_values = "0 1 2 3 4"
     bpy.context.view_layer.update()
-    assert "text N_{2,1}" in names_of(ob) and "text tick 4" in names_of(ob)
+    assert "text N_{2,1}" in pieces_named(ob) and "text tick 4" in pieces_named(ob)
     assert labels.of(store.read(ob.data)) == [], "letters have no labels"
     axes = made('axes', x_from=0.0, x_to=2.0, y_from=0.0, y_to=1.0, step=1.0, spatial=False, grid=True)
-    assert {"text tick 1", "text tick 2"} <= set(names_of(made('labels', axes)))
+    assert {"text tick 1", "text tick 2"} <= set(pieces_named(made('labels', axes)))
 
 
 def test_letters_are_thick_lines_that_render():

@@ -185,11 +185,12 @@ def _placed(points, world):
 
 
 def _names(view, seen, wanted):
-    """Groups of the names of points, knots and functions."""
-    known = {ob: overlays.kept(ob.data, 'labels', (), overlays.labels_of) or () for ob in view.named}
-    characters = {letter for named in known.values() for each in named for text, _ in each.runs for letter in say(text)}
+    """Groups of the names of points, knots and functions, and of the numbers of axes."""
+    known = [(ob, overlays.kept(ob.data, 'labels', (), overlays.labels_of) or ()) for ob in view.named]
+    known += [(ob, _numbers(ob)) for ob in view.overlaid if overlays_of(view.scene).axes]
+    characters = {letter for _, named in known for each in named for text, _ in each.runs for letter in say(text)}
     letters, found = outlines.letters(characters) if characters else None, []
-    for ob, named in known.items():
+    for ob, named in known:
         world = np.array(ob.matrix_world, dtype=np.float64)
         at = page.places(_placed(np.array([each.point for each in named]).reshape(-1, 3), world), seen)
         colors = piece_materials.colors_of(ob.data)
@@ -197,6 +198,11 @@ def _names(view, seen, wanted):
                  for each, place in zip(named, at) if _is_on(place, seen)]
         found.append(Group(say(phrase("Names of {name}", name=ob.name)), tuple(areas)))
     return found
+
+
+def _numbers(ob):
+    found = overlays.kept(ob.data, 'numbers', (), overlays.axes_of)
+    return found.labels if found else ()
 
 
 def _is_on(place, seen):

@@ -9,6 +9,7 @@ from ..analysis import overlays
 #: On white.
 _COMB, _HODOGRAPH, _NORMALS, _KNOTS = (0.45, 0.25, 0.7), (0.7, 0.4, 0.0), (0.0, 0.45, 0.55), (0.0, 0.0, 0.0)
 _FRAME, _CIRCLE = ((0.8, 0.1, 0.15), (0.25, 0.5, 0.0), (0.1, 0.35, 0.8)), (0.35, 0.35, 0.35)
+_AXES, _GRID = (0.35, 0.35, 0.35), (0.8, 0.8, 0.8)
 
 
 class Lines(NamedTuple):
@@ -40,13 +41,19 @@ def _frame(made):
     return [Lines(_CIRCLE, made.circles), *(Lines(color, pairs, is_bold=True) for color, pairs in zip(_FRAME, made.axes))]
 
 
+def _axes(made):
+    return [Lines(_GRID, made.grid), Lines(_AXES, made.lines)]
+
+
 #: By switches: the numbers beside them, what is made of a data-block (not kept where views keep their strokes), and its Lines.
 _OF_CURVES = {
     'comb': (('comb_density', 'comb_scale'), 'comb of figure', overlays.comb_of, _comb),
     'hodograph': (('place', 'hodograph_scale'), 'hodograph of figure', overlays.hodographs_of,
                   lambda made: [Lines(_HODOGRAPH, made.lines, made.arrows, is_bold=True)]),
     'frame': (('place', 'frame_length'), 'frame of figure', overlays.frames_of, _frame),
+    'axes': ((), 'numbers', overlays.axes_of, _axes),
     'knots': ((), 'knots of figure', overlays.knots_of, lambda made: [Lines(_KNOTS, points=made)])}
 _OF_PATCHES = {
     'normals': (('normal_count', 'normal_length'), 'normals of figure', overlays.normals_of, lambda made: [Lines(_NORMALS, made)]),
+    'axes': ((), 'numbers', overlays.axes_of, _axes),
     'knots': ((), 'knots of figure', overlays.knots_of, lambda made: [Lines(_KNOTS, made, is_bold=True)])}
