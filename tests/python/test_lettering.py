@@ -8,8 +8,8 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-definitions, glyphs, labels, lettering, scales = (core(name) for name in (
-    "shape.definition", "formulas.glyphs", "formulas.labels", "formulas.lettering", "analysis.scales"))
+axes, definitions, glyphs, labels, lettering, scales = (core(name) for name in (
+    "formulas.axes", "shape.definition", "formulas.glyphs", "formulas.labels", "formulas.lettering", "analysis.scales"))
 recipes = core("recipes.table").RECIPES
 Refusal = core("base.failures").Refusal
 
@@ -91,3 +91,13 @@ def test_a_shape_in_space_has_three_axes_one_far_away_no_origin_and_a_point_none
     far = scale_of(sc.BezierCurve([(1000, 1000, 0), (1001, 1002, 0)])).lines.reshape(-1, 3)
     assert far[:, :2].min() > 999
     assert len(scale_of(sc.BezierCurve([(1, 1, 1), (1, 1, 1)])).lines) == 0
+
+
+@pytest.mark.parametrize('middle, step', [(0.0, 0.2), (3.0, 1e-6), (1e6, 0.2), (-1e9, 0.05), (1e12, 0.5), (1e-150, 1e-152), (1e150, 1e147)])
+def test_numbers_of_axes_differ_and_are_those_of_their_places(middle, step):
+    first = round(middle / step) * step
+    parts = axes.picture([(first, first + 10 * step), (0.0, 10.0)], [step, 1.0], 0.1, False)
+    ticks = [part for part in parts if part.name.startswith(axes.TICK)][:11]
+    written = [float(part.name.partition(" ")[2]) for part in ticks]
+    assert len(set(written)) == 11
+    assert np.abs(np.array(written) - [part.curve.points[1, 0] for part in ticks]).max() < 0.06 * step
