@@ -149,8 +149,9 @@ def test_a_zip_has_what_the_platform_for_extensions_asks_for(tmp_path):
 def permissions_used():
     """What the sources of the add-on use that Blender's manifest has a permission for."""
     text = "".join(path.read_text() for path in (PROJECT / "addon/splinewright").rglob("*.py"))
-    signs = {"clipboard": r"\.clipboard\b", "files": "ImportHelper|ExportHelper|\\.write_text", "network": "urllib|requests|socket|http",
-             "camera": "opencv|cv2", "microphone": "sounddevice|pyaudio"}
+    signs = {"clipboard": r"\.clipboard\b", "files": "ImportHelper|ExportHelper|\\.write_text",
+             "network": r"\b(import|from) (urllib|requests|socket|http)\b", "camera": "opencv|cv2",
+             "microphone": "sounddevice|pyaudio"}
     return {name for name, sign in signs.items() if re.search(rf"{sign}", text)}
 
 

@@ -3,6 +3,7 @@
 Points within a millionth of the size of a plane are flat, as Blender moves points in single precision.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -103,7 +104,8 @@ def _around(points, normal):
     """Points of a plane in the order in which they lie around their middle."""
     away = points - points.mean(axis=0)
     first = away[np.linalg.norm(away, axis=1).argmax()]
-    return points[np.argsort(np.arctan2(away @ np.cross(normal, first), away @ first), kind='stable')]
+    angles = [math.atan2(y, x) for y, x in zip((away @ np.cross(normal, first)).tolist(), (away @ first).tolist())]
+    return points[np.argsort(angles, kind='stable')]
 
 
 def _apart(points, near):
