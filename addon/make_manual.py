@@ -23,6 +23,7 @@ from PIL import Image
 
 #: Files that the README links and the add-on brings, by where they lie in the project.
 _BROUGHT = {"LICENSE": "../LICENSE", "addon/splinewright/CHANGELOG.md": "../CHANGELOG.md"}
+_DRAWN = ".svg"
 #: Pictures are no wider, in pixels, and as good as this, of 100.
 _WIDTH, _QUALITY = 960, 80
 
@@ -83,7 +84,7 @@ class _Manual:
         if source is None:
             raise Broken(f"there is no picture {token.attrs['src']}")
         source = source.resolve()
-        place = f"pictures/{source.stem}.webp"
+        place = f"pictures/{source.stem}{_DRAWN if source.suffix == _DRAWN else '.webp'}"
         if self.pictures.setdefault(place, source) != source:
             raise Broken(f"two pictures are called {source.stem}")
         token.attrs['src'] = _root(language) + place
@@ -177,7 +178,9 @@ def _of_blender(name):
 
 
 def _picture(source):
-    """A picture as small as it may be shown."""
+    """A picture as small as it may be shown; a drawing as it is."""
+    if source.suffix == _DRAWN:
+        return source.read_bytes()
     with Image.open(source) as picture:
         picture = picture.convert('RGB')
         if picture.width > _WIDTH:

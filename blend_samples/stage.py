@@ -265,6 +265,26 @@ def flatten(material):
 def finish(name, samples=40, size=(960, 600)):
     """Save NAME.blend, render NAME.png, print what was made."""
     output = Path(sys.argv[sys.argv.index('--') + 1])
+    _set_up(samples, size)
+    for ob in bpy.context.selected_objects:
+        ob.select_set(False)
+    _save(output / f"{name}.blend")
+    made = time.perf_counter() - _started
+    scene = bpy.context.scene
+    if os.environ.get('SPLINEWRIGHT_DRAFT'):
+        scene.cycles.samples = max(1, samples // DRAFT)
+        scene.render.resolution_percentage = DRAFT_PERCENTAGE
+    _render(output / f"{name}.png")
+    _print_table(name, made, time.perf_counter() - _started - made)
+
+
+def render(path, samples, size):
+    """Render a PNG of a size in pixels."""
+    _set_up(samples, size)
+    _render(path)
+
+
+def _set_up(samples, size):
     scene = bpy.context.scene
     scene.render.engine = 'CYCLES'
     scene.cycles.device, scene.cycles.samples, scene.cycles.use_denoising = 'CPU', samples, False
@@ -274,16 +294,11 @@ def finish(name, samples=40, size=(960, 600)):
     for setting in dir(scene.render):       # pictures carry no dates and no paths
         if setting.startswith('use_stamp_'):
             setattr(scene.render, setting, False)
-    for ob in bpy.context.selected_objects:
-        ob.select_set(False)
-    _save(output / f"{name}.blend")
-    made = time.perf_counter() - _started
-    scene.render.filepath = str(output / f"{name}.png")
-    if os.environ.get('SPLINEWRIGHT_DRAFT'):
-        scene.cycles.samples = max(1, samples // DRAFT)
-        scene.render.resolution_percentage = DRAFT_PERCENTAGE
+
+
+def _render(path):
+    bpy.context.scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
-    _print_table(name, made, time.perf_counter() - _started - made)
 
 
 def _save(path):

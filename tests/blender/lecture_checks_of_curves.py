@@ -403,8 +403,8 @@ def teapot(obs):
 
 @of("004.45")
 def bells(obs):
-    require_functions(obs[0], 3, range(8), height=3.0, width=7.0)
-    function, bell = named(obs[0], "N_{1,3}")[0], values(obs[1])[0]
+    require_functions(obs[1], 3, range(8), height=3.0, width=7.0)
+    function, bell = named(obs[1], "N_{1,3}")[0], values(obs[0])[0]
     u = np.linspace(1.05, 4.95, 41)
     away = np.abs(at(function, u)[:, 1] - at(bell, u)[:, 1]) / 3.0
     assert 0.01 < away.max() < 0.026

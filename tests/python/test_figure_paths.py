@@ -160,6 +160,20 @@ def test_what_lies_beside_the_page_is_left_out():
     assert len(of(sc.BezierCurve([(-9, 0, 0), (-1, 1, 0), (1, 1, 0), (9, 0, 0)]))) == 1
 
 
+@pytest.mark.parametrize('curve', (
+    sc.NurbsCurve(1, [0, 0, 0.5, 1, 1], [(-2, 1, 0), (0.2, 0.4, 0), (2, -1, 0)], [0, 1, 0]),
+    sc.BezierCurve([(-2e7, 1e7 + 0.5, 0), (2e7, -1e7 + 0.5, 0)]),
+    sc.BezierCurve([(-2e7, 1e7 + 0.5, 0), (-3, 2.0, 0), (3, -1, 0), (2e7, -1e7 + 0.5, 0)]).elevate()), ids=('to infinity', 'line', 'quartic'))
+def test_a_curve_that_goes_far_beyond_the_page_ends_there(curve):
+    found = of(curve)
+    assert len(found) == 1
+    ends = np.vstack([path_points for path_points in steps_of(found)])
+    assert np.abs(ends).max() < 20 * 160.0 and np.abs(found[0].start).max() > 500.0 and np.abs(found[0].end).max() > 500.0
+    if curve.degree == 1:
+        x, y = ((ends - (80.0, 60.0)) / 50.0 * (1, -1)).T
+        assert np.abs(x + 2 * y - 1.0).max() < 1e-6
+
+
 def test_a_hyperbola_is_drawn_on_both_sides_of_infinity():
     found = of(sc.BezierCurve([(-0.5, 0.5), (0, 0.2), (0.5, 0.5)], [1, -2, 1]))
     assert len(found) == 3 and all(np.isfinite(np.vstack(path.steps)).all() for path in found)

@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PROJECT / "blend_samples/lectures"))
+sys.path.insert(0, str(PROJECT / "blend_samples/lectures/make"))
 
 import field_names
 import page
@@ -30,7 +30,7 @@ def test_no_picture_states_more_steps_than_it_takes():
 
 
 def test_the_page_of_the_manual_is_the_list():
-    assert page.PAGE.read_text() == page.page(), "write it again: /usr/bin/python3 blend_samples/lectures/page.py"
+    assert page.PAGE.read_text() == page.page(), "write it again: /usr/bin/python3 blend_samples/lectures/make/page.py"
 
 
 def named_steps():

@@ -6,7 +6,9 @@ import posixpath
 import re
 import sys
 import tomllib
+import zlib
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from PIL import Image
@@ -111,12 +113,21 @@ def test_a_translation_says_which_pages_are_in_english(language, files):
     assert len(after) > 10 and all(text.startswith(f" ({manual_pages.IN_ENGLISH[language]})"[:20]) for text in after), after
 
 
-def test_pictures_are_those_of_the_readme_and_small(files):
-    pictures = {path: data for path, data in files.items() if path.startswith("pictures/")}
+def test_pictures_are_small(files):
+    pictures = {path: data for path, data in files.items() if path.startswith("pictures/") and not path.endswith(".svg")}
     assert len(pictures) >= 12 and sum(map(len, pictures.values())) < 1_000_000
     for path, data in pictures.items():
         with Image.open(io.BytesIO(data)) as picture:
             assert picture.format == 'WEBP' and 300 < picture.width <= 960, path
+
+
+def test_drawings_are_those_of_the_lectures_and_small(files):
+    drawings = {path: data for path, data in files.items() if path.endswith(".svg")}
+    assert set(drawings) == {f"pictures/{path.name}" for path in (PROJECT / "blend_samples/lectures").glob("*.svg")}
+    assert len(drawings) == 74 and sum(len(zlib.compress(data)) for data in drawings.values()) < 800_000
+    for path, data in drawings.items():
+        root = ElementTree.fromstring(data)
+        assert next(root.iter("{http://www.w3.org/2000/svg}path"), None) is not None, path
 
 
 def test_sections_of_the_readme_are_there_word_for_word(files):

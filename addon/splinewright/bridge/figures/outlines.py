@@ -33,6 +33,7 @@ def letters(characters):
         bpy.data.objects.remove(ob)
         blocks.remove(data)
         for made in set(bpy.data.fonts) - known:
+            made.user_clear()                           # a font comes with a user that is nobody
             bpy.data.fonts.remove(made)
     return found.__getitem__
 

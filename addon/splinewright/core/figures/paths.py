@@ -17,6 +17,8 @@ TOLERANCE = 0.01
 _ROUNDING = 1e-14
 #: Of the largest weight the part below which a point counts as one at infinity.
 _INFINITE = 1e-9
+#: Of a page's larger side how far beyond the page lines reach.
+_BEYOND = 10.0
 #: Parts of a piece are halved no more often: near infinity the page ends long before.
 _HALVINGS = 40
 
@@ -65,7 +67,18 @@ def of_piece(piece, seen):
     found = []
     for start, end, sign in _before_the_eye(piece, seen):
         rows = sign * flat(bernstein.part(piece, start, end), seen.matrix)
-        found += _paths(rows, seen)
+        for near, far in _near_the_page(rows, seen):
+            found += _paths(bernstein.part(rows, near, far), seen)
+    return found
+
+
+def _near_the_page(rows, seen):
+    """[(start, end)]: where a piece is no farther from the page than programs that read figures can count."""
+    x, y, depths = rows.T
+    beyond = _BEYOND * max(seen.width, seen.height)
+    found = [(0.0, 1.0)]
+    for inside in (x + beyond * depths, (seen.width + beyond) * depths - x, y + beyond * depths, (seen.height + beyond) * depths - y):
+        found = bernstein.common(found, bernstein.positive(inside))
     return found
 
 

@@ -8,6 +8,8 @@ _NAMESPACE = "http://www.w3.org/2000/svg"
 _LETTERS = {1: 'L', 2: 'Q', 3: 'C'}
 #: What is drawn and what is left out of a dashed line, in widths of the line.
 DASHES = 4.0, 3.0
+#: Digits of a millimeter of what is drawn, and of letters.
+_DIGITS, _OF_LETTERS = 9, 4
 
 
 def text_of(figure):
@@ -36,7 +38,7 @@ def _add(element, item):
         ElementTree.SubElement(element, 'circle', cx=_number(x), cy=_number(y), r=_number(item.diameter / 2), fill=_color(item.color))
     elif isinstance(item, Area):
         more = {'aria-label': _printable(item.text)} if item.text else {}
-        ElementTree.SubElement(element, 'path', d=data(item.paths), fill=_color(item.color), **more)
+        ElementTree.SubElement(element, 'path', d=data(item.paths, _OF_LETTERS if item.text else _DIGITS), fill=_color(item.color), **more)
     else:
         dashes = " ".join(_number(part * item.width) for part in DASHES)
         more = {'stroke-dasharray': dashes, 'stroke-linecap': 'butt'} if item.dashed else {'stroke-linecap': 'round'}
@@ -45,26 +47,25 @@ def _add(element, item):
             'stroke-linejoin': 'round', **more})
 
 
-def data(paths):
-    """The commands of Paths."""
-    return " ".join(command for path in paths for command in _commands(path))
+def data(paths, digits=_DIGITS):
+    """The commands of Paths, with a number of digits of a millimeter."""
+    return " ".join(command for path in paths for command in _commands(path, digits))
 
 
-def _commands(path):
-    yield f"M{_pair(path.start)}"
+def _commands(path, digits):
+    yield f"M{_pair(path.start, digits)}"
     for step in path.steps:
-        yield _LETTERS[len(step)] + " ".join(map(_pair, step))
+        yield _LETTERS[len(step)] + " ".join(_pair(point, digits) for point in step)
     if path.closed:
         yield 'Z'
 
 
-def _pair(point):
-    return f"{_number(point[0])},{_number(point[1])}"
+def _pair(point, digits):
+    return f"{_number(point[0], digits)},{_number(point[1], digits)}"
 
 
-def _number(value):
-    """With a billionth of a millimeter."""
-    return f"{round(float(value), 9) + 0.0:.9f}".rstrip('0').rstrip('.')
+def _number(value, digits=_DIGITS):
+    return f"{round(float(value), digits) + 0.0:.{digits}f}".rstrip('0').rstrip('.')
 
 
 def _color(color):

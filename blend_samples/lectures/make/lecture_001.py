@@ -32,7 +32,7 @@ def _teapot(x, steps, is_flat):
 
 PICTURES = (
     Picture("001.1", "One model as 1,000 and as 10,000 faces, each flat and smooth", 8,
-            (*_teapot(0.0, 6, True), *_teapot(3.6, 6, False), *_teapot(7.2, 18, True), *_teapot(10.8, 18, False)), 'FRONT'),
+            (*_teapot(0.0, 6, True), *_teapot(3.6, 6, False), *_teapot(7.2, 18, True), *_teapot(10.8, 18, False)), 'FRONT', rendered=True),
     Picture("001.2", "A parametric curve", 1, (_graph("cos(3*t)", "sin(2*t)", 0.0, 2 * pi),)),
     Picture("001.6", "Interpolation is forced, and oscillates", 2,
             (add('polynomial', count=11, parametrisation='uniform', spline=True), add('axes', x_from=-1.0, x_to=1.0, y_from=0.0, y_to=2.0))),
@@ -48,7 +48,7 @@ PICTURES = (
             (*joined(0, 'C0'), *joined(1, 'G1'), *joined(2, 'C2'), click(0, 2, 4), show('COMB'))),
     Picture("001.38", "Ducks hold a strip, which draws a curve", 2, (add('ducks', ends=0.3, marker=0.04), LABELS)),
     Picture("001.40", "A Hermite curve", 4, (*HERMITE, LABELS)),
-    Picture("001.43", "What a Hermite segment is given by: two points and two tangents", 6, (*HERMITE, click(0, 1), LABELS, NET)),
+    Picture("001.43", "What a Hermite segment is given by: two points and two tangents", 6, (*HERMITE, click(0), LABELS, NET)),
     Picture("001.49", "The four Hermite functions", 2,
             (add('functions', family='hermite', knot_values="0 1", width=3.0, height=2.0), LABELS)),
     Picture("001.50", "Hermite curves whose first tangent grows", 4, tuple(map(_family, (1, 3, 6, 10)))),

@@ -1,13 +1,13 @@
 """Writes addon/manual/lectures.md: the pictures of the lectures in their order, each with the steps that make it.
 
-    /usr/bin/python3 blend_samples/lectures/page.py
+    /usr/bin/python3 blend_samples/lectures/make/page.py
 """
 
 import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROJECT = HERE.parents[1]
+PROJECT = HERE.parents[2]
 PAGE = PROJECT / "addon/manual/lectures.md"
 sys.path.insert(0, str(HERE))
 
@@ -20,7 +20,7 @@ _HEAD = """# Pictures of the lectures
 
 The {count} pictures of the lectures in their order, each with the steps that make it from an empty scene. A step is an entry of the menu
 *Add*, of *NURBS > Teaching* or another command with the values of its fields, an overlay, a click or a key. Fields that are not
-named keep their values. All shapes stay alive: move a point, change a number in the panel *Construction*, and the picture follows.
+named keep their values. Export Figure drew the pictures (`./run demo lectures`). All shapes stay alive: move a point, change a number in the panel *Construction*, and the picture follows.
 [Teaching](teaching.md) describes the commands.
 """
 #: What a step is called where its operator does not say it.
@@ -55,6 +55,7 @@ def _picture(picture):
     count = len(picture.steps)
     made = "; ".join(map(_words, picture.steps))
     return (f"\n**{picture.number}** {picture.title}.\n\n"
+            f"![{picture.title}](blend_samples/lectures/{pictures.file_of(picture)})\n\n"
             f"{count} step{'s' if count > 1 else ''}: {made}.\n")
 
 

@@ -18,6 +18,7 @@ class Picture(NamedTuple):
     most: int                           # steps in which it can be made
     steps: tuple
     view: str = 'TOP'                   # 'TOP', 'FRONT', or 'SPACE': from the side and above
+    rendered: bool = False              # where light on faces is what it shows
 
 
 #: Clicks that no operator stands for: on objects, on control points.
