@@ -211,3 +211,12 @@ def test_the_highest_degree_and_many_functions_are_drawn():
     (graph,) = family.graph(np.ones(256))
     assert np.allclose(graph.evaluate(np.linspace(0, 1, 9))[:, 1], 1.0, rtol=0, atol=1e-12)
     assert len(functions.picture(functions.of_knots(3, range(400)), 'functions', 1.0, 1.0, False)) == 396
+
+
+@pytest.mark.parametrize('knots', [[0, 1, 2, 3], [1e6, 1e6 + 1e-3, 1e6 + 2e-3, 1e6 + 5, 1e6 + 6], [0.0, 1.0, 1.0 + 1e-12, 2.0], [-1e-9, 0.0, 1e9]])
+def test_numbers_of_knots_differ_and_are_those_of_the_knots(knots):
+    family = functions.of_knots(1, knots)
+    parts = functions.picture(family, 'single', 5.0, 1.0, True)
+    written = [float(part.name.partition(" ")[2]) for part in parts if part.name.startswith(functions.TICK)][:-1]
+    assert len(written) == len(knots) and len(set(written)) == len(knots)
+    assert np.abs(np.subtract(written, knots)).max() < 0.06 * np.diff(knots).min()

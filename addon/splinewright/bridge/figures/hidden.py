@@ -7,8 +7,8 @@ from ..cage import net_object
 
 #: How far before a line a surface must lie to hide it, in mm of the page: meshes are only near to the surfaces that they show.
 _LIFT = 1.0
-#: Objects that a ray goes through, and that hide nothing.
-_MOST, _OPEN = 64, ('WIRE', 'BOUNDS')
+#: How objects are shown that hide nothing.
+_OPEN = 'WIRE', 'BOUNDS'
 
 
 def sight(seen, scene, depsgraph):
@@ -27,9 +27,7 @@ def sight(seen, scene, depsgraph):
 
 def _is_met(scene, depsgraph, place, along, start, end):
     """Whether a face that hides others lies on a ray from a place, between two distances."""
-    for _ in range(_MOST):
-        if start >= end:
-            return False
+    while start < end:
         reach = {'distance': end - start} if np.isfinite(end) else {}
         is_hit, met, _, _, ob, _ = scene.ray_cast(depsgraph, place + start * along, along, **reach)
         if not is_hit:

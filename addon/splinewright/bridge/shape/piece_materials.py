@@ -24,25 +24,26 @@ _OTHERS = {functions.AXIS: 0, functions.TICK: 0, functions.SUM: 1, functions.DOM
 
 def show(data, names):
     """Give splines the slots of what they are called, where that is not what it was."""
-    if not _is_new(data, names):
-        return
-    slots = slots_of(names)
-    kinds = dict(zip(slots, map(_kind, names)))
-    for slot in range(len(data.materials), max(slots) + 1):
-        data.materials.append(_material(*_wanted(slot, kinds.get(slot))))
-    for spline, slot in zip(data.splines, slots):
+    for spline, slot in zip(data.splines, _new_slots(data, names, slots_of, _curve_material)):
         spline.material_index = slot
 
 
 def show_faces(data, names):
     """Give the faces of patches the slots of what those are called, where that is not what it was."""
+    slots = _new_slots(data, names, face_slots_of, _face_material)
+    if slots:
+        mesh_looks.set_materials(data, slots)
+
+
+def _new_slots(data, names, slots_of, material):
+    """The slot of each name, each with a material; [] where names are what they were."""
     if not _is_new(data, names):
-        return
-    slots = face_slots_of(names)
+        return []
+    slots = slots_of(names)
     kinds = dict(zip(slots, map(_kind, names)))
     for slot in range(len(data.materials), max(slots) + 1):
-        data.materials.append(_face_material(slot, kinds.get(slot)))
-    mesh_looks.set_materials(data, slots)
+        data.materials.append(material(slot, kinds.get(slot)))
+    return slots
 
 
 def _is_new(data, names):
@@ -84,13 +85,13 @@ def colors_of(data):
     return {name: (*map(_srgb, material.diffuse_color[:3]), 1.0) for name, material in materials.items() if material}
 
 
-def _wanted(slot, kind):
+def _curve_material(slot, kind):
     if kind == influence.INFLUENCE:
-        return _INFLUENCE
+        return _material(*_INFLUENCE)
     if slot < len(_FIRST):
-        return _FIRST[slot]
+        return _material(*_FIRST[slot])
     number = (slot - len(_FIRST)) % len(_COLORS)
-    return phrase("Splinewright Color {number}", number=number + 1), _COLORS[number]
+    return _material(phrase("Splinewright Color {number}", number=number + 1), _COLORS[number])
 
 
 def _face_material(slot, kind):

@@ -4,6 +4,7 @@ A family knows the graph of any combination of its functions: (u, value, 0) as c
 Lagrange and natural splines within rounding.
 """
 
+import math
 from itertools import pairwise
 from typing import Callable, NamedTuple
 
@@ -247,10 +248,17 @@ def _axes(places, scale, height):
     number."""
     at = (places - places[0]) * scale
     tick = 0.03 * max(at[-1], height)
-    ticks = [(u, line((x, -tick), (x, 0.0))) for u, x in zip(places, at)]
-    ticks.append((1.0, line((-tick, height), (0.0, height))))
+    exact = digits(places, np.diff(places).min())
+    ticks = [(f"{u:.{exact}g}", line((x, -tick), (x, 0.0))) for u, x in zip(places, at)]
+    ticks.append(("1", line((-tick, height), (0.0, height))))
     axes = [line((0.0, 0.0), (at[-1], 0.0)), line((0.0, 0.0), (0.0, height))]
-    return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number:.6g}", one) for number, one in ticks]
+    return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number}", one) for number, one in ticks]
+
+
+def digits(values, step):
+    """How many tell values that are a step apart, or more, from each other, also far from 0."""
+    largest = np.abs(values).max(initial=0.0)
+    return 6 if largest == 0.0 else min(17, max(6, math.floor(math.log10(largest)) - math.floor(math.log10(step)) + 2))
 
 
 def placed(curve, start, scale, height):
