@@ -109,7 +109,8 @@ class _File:
         if isinstance(above, ast.BinOp) and isinstance(above.op, ast.Mod):
             return False
         call = self._call(node)
-        if call in _SILENT or (self.is_document and not self._is_refused(node)):
+        is_label = isinstance(above, ast.keyword) and above.arg == 'label'
+        if (call in _SILENT and not is_label) or (self.is_document and not self._is_refused(node)):
             return False
         if isinstance(above, ast.Assign) and ast.unparse(above.targets[0]) in ('bl_idname', 'bl_parent_id', 'bl_category', '__version__', 'icon'):
             return False

@@ -1,4 +1,4 @@
-"""The manual that the zip brings: pages of HTML from addon/manual, sections of the README and their pictures.
+"""The manual that the zip brings: pages of HTML from addon/manual, in all languages, sections of the README and their pictures.
 
 A page is Markdown. On a separate line it may say
 
@@ -8,38 +8,33 @@ A page is Markdown. On a separate line it may say
 """
 
 import argparse
+import functools
 import html
 import io
 import json
+import posixpath
 import re
 from pathlib import Path
+from urllib.parse import unquote
 
+from manual_pages import ENGLISH, IN_ENGLISH, LANGUAGES, PAGES, PROJECT, SOURCE, Broken, address, languages_of, path, text, title
 from markdown_it import MarkdownIt
 from PIL import Image
 
-PROJECT = Path(__file__).resolve().parent.parent
-SOURCE = PROJECT / "addon/manual"
-#: In the order in which they are read.
-PAGES = ("index", "five-minutes", "workflows", "choosing", "tools", "keyboard", "nets", "curves", "surfaces", "modify", "continuity",
-         "seeing", "following", "animation", "shapes", "teaching", "lectures", "files", "python", "preferences", "performance", "troubleshooting")
 #: Files that the README links and the add-on brings, by where they lie in the project.
 _BROUGHT = {"LICENSE": "../LICENSE", "addon/splinewright/CHANGELOG.md": "../CHANGELOG.md"}
 #: Pictures are no wider, in pixels, and as good as this, of 100.
 _WIDTH, _QUALITY = 960, 80
 
 
-class Broken(ValueError):
-    """A page links a target that is not there."""
-
-
 def content():
     """[(path inside the manual, bytes)]."""
     manual = _Manual()
-    made = {name: manual.page(name) for name in PAGES}
-    for name, text in made.items():
-        _require_links(name, text, made)
-    return [*((f"{name}.html", text.encode()) for name, text in made.items()),
-            *((path, _picture(source)) for path, source in sorted(manual.pictures.items())),
+    made = {address(name, language): manual.page(name, language) for name in PAGES for language in languages_of(name)}
+    for name, page in made.items():
+        _require_links(name, page, made)
+    return [*((f"{name}.html", page.encode()) for name, page in made.items()),
+            *((place, _picture(source)) for place, source in sorted(manual.pictures.items())),
             ("style.css", (SOURCE / "style.css").read_bytes()),
             ("f1.json", json.dumps(manual.map, indent=0).encode())]
 
@@ -48,89 +43,127 @@ class _Manual:
     """The contents gathered while pages are made."""
 
     def __init__(self):
-        self.readme = (PROJECT / "README.md").read_text()
-        self.titles = {name: _title(_source(name)) for name in PAGES}
         self.pictures, self.map = {}, []
+        self.anchors = functools.cache(_anchors)
 
-    def page(self, name):
+    def page(self, name, language=ENGLISH):
         """One page as HTML."""
-        markdown = MarkdownIt('commonmark').enable('table')
-        text = re.sub(r"^<!-- README: (.+) -->$", lambda found: section(self.readme, found[1]), _source(name), flags=re.M)
-        tokens = markdown.parse(text)
-        headings = self._settle(name, tokens)
+        markdown = _parser()
+        tokens = markdown.parse(text(name, language))
+        headings = self._settle(name, language, tokens)
         body = markdown.renderer.render(tokens, markdown.options, {})
-        return _TEMPLATE.format(title=html.escape(self.titles[name]), body=body, contents=self._contents(name, headings))
+        return _TEMPLATE.format(title=html.escape(title(name, language)), body=body, language=language, root=_root(language),
+                                languages=_languages(name, language), contents=_contents(name, language, headings))
 
-    def _settle(self, name, tokens):
+    def _settle(self, name, language, tokens):
         """Give headings anchors and links and pictures the addresses they have in the manual; [(anchor, heading)] of parts."""
-        headings, anchor = [], ""
+        headings, anchor, anchors = [], "", iter(self.anchors(name, language).values())
         for i, token in enumerate(tokens):
             if token.type == 'heading_open':
-                anchor = _anchor(tokens[i + 1].content)
+                anchor = next(anchors)
                 token.attrSet('id', anchor)
                 if token.tag == 'h2':
                     headings.append((anchor, _plain(tokens[i + 1])))
             elif token.type == 'html_block':
                 names = re.fullmatch(r"<!-- F1: (.+) -->", token.content.strip(), re.S)
-                if not names:
-                    raise Broken(f"{name}: what does {token.content.strip()} mean?")
+                if not names or language != ENGLISH:
+                    raise Broken(f"{address(name, language)}: what does {token.content.strip()} mean?")
                 self.map += [(_of_blender(each), f"{name}.html#{anchor}") for each in names[1].split()]
                 token.content = ""
             for child in token.children or ():
-                self._settle_inline(child)
+                if child.type == 'image':
+                    self._settle_picture(child, name, language)
+                elif child.type == 'link_open':
+                    _settle_link(child, name, language, self.anchors)
         return headings
 
-    def _settle_inline(self, token):
-        if token.type == 'image':
-            source = next((path for folder in (PROJECT, SOURCE) if (path := (folder / token.attrs['src'])).is_file()), None)
-            if source is None:
-                raise Broken(f"there is no picture {token.attrs['src']}")
-            source = source.resolve()
-            path = f"pictures/{source.stem}.webp"
-            if self.pictures.setdefault(path, source) != source:
-                raise Broken(f"two pictures are called {source.stem}")
-            token.attrs['src'] = path
-            token.attrSet('loading', 'lazy')
-        elif token.type == 'link_open':
-            target = token.attrs['href']
-            page, _, anchor = target.partition("#")
-            if page.endswith(".md") and page[:-3] in PAGES:
-                token.attrs['href'] = f"{page[:-3]}.html" + (f"#{anchor}" if anchor else "")
-            elif target in _BROUGHT:
-                token.attrs['href'] = _BROUGHT[target]
-            elif "://" not in target and not target.startswith("#"):
-                del token.attrs['href']         # what lies in the project and not in the add-on
-
-    def _contents(self, name, headings):
-        lines = []
-        for other in PAGES:
-            here = ' aria-current="page"' if other == name else ""
-            lines.append(f'<li><a href="{other}.html"{here}>{html.escape(self.titles[other])}</a>')
-            if other == name and len(headings) > 1:
-                parts = "".join(f'<li><a href="#{anchor}">{html.escape(text)}</a></li>' for anchor, text in headings)
-                lines.append(f"<ul>{parts}</ul>")
-            lines.append("</li>")
-        return "\n".join(lines)
+    def _settle_picture(self, token, name, language):
+        places = (folder / token.attrs['src'] for folder in (PROJECT, path(name, language).parent))
+        source = next((place for place in places if place.is_file()), None)
+        if source is None:
+            raise Broken(f"there is no picture {token.attrs['src']}")
+        source = source.resolve()
+        place = f"pictures/{source.stem}.webp"
+        if self.pictures.setdefault(place, source) != source:
+            raise Broken(f"two pictures are called {source.stem}")
+        token.attrs['src'] = _root(language) + place
+        token.attrSet('loading', 'lazy')
 
 
-def _source(name):
-    return (SOURCE / f"{name}.md").read_text()
+def _settle_link(token, name, language, anchors):
+    """anchors: tells those of a page in a language."""
+    target, _, heading = unquote(token.attrs['href']).partition("#")
+    spoken = ENGLISH if target.startswith("../") else language
+    page = target.removeprefix("../").removesuffix(".md") if target else name
+    if target in _BROUGHT:
+        token.attrs['href'] = _root(language) + _BROUGHT[target]
+    elif page in PAGES:
+        if spoken != language and language in languages_of(page):
+            raise Broken(f"{address(name, language)} links {target}, which is there in {LANGUAGES[language]}")
+        there = anchors(page, spoken) if spoken in languages_of(page) else {}
+        token.attrs['href'] = ((target[:-3] + ".html") if target else "") + (f"#{there.get(heading, heading)}" if heading else "")
+    elif "://" not in target:
+        del token.attrs['href']         # what lies in the project and not in the add-on
 
 
-def _title(text):
-    return re.match(r"# (.+)", text)[1]
+def _root(language):
+    """From a page to the folder of the manual."""
+    return "" if language == ENGLISH else "../"
 
 
-def section(readme, title):
-    """The text below a heading of the README, up to the next one of its rank."""
-    found = re.search(rf"^## {re.escape(title)}\n(.*?)(?=^## |\Z)", readme, re.S | re.M)
-    if not found:
-        raise Broken(f"the README has no section {title}")
-    return found[1]
+def _parser():
+    return MarkdownIt('commonmark').enable('table')
 
 
-def _anchor(text):
-    return re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
+def _headings(name, language):
+    tokens = _parser().parse(text(name, language))
+    return [tokens[i + 1].content for i, token in enumerate(tokens) if token.type == 'heading_open']
+
+
+def _anchors(name, language):
+    """{the anchor that a heading's words give: its anchor}; that is the same in all languages, so F1 leads to each."""
+    english = [_anchor(heading) for heading in _headings(name, ENGLISH)]
+    own = english if language == ENGLISH else [_usual_anchor(heading) for heading in _headings(name, language)]
+    if len(own) != len(english):
+        raise Broken(f"{address(name, language)} has {len(own)} headings, and {len(english)} in English")
+    return dict(zip(own, english, strict=True))
+
+
+def _languages(name, language):
+    """A line of links to the same page in other languages; none if there is but one."""
+    known = languages_of(name)
+    links = (LANGUAGES[other] if other == language else
+             f'<a href="{_root(language)}{address(name, other)}.html" hreflang="{other}" lang="{other}">{LANGUAGES[other]}</a>'
+             for other in known)
+    return f'<p class="languages">{" · ".join(links)}</p>\n' if len(known) > 1 else ""
+
+
+def _contents(name, language, headings):
+    """Links to all pages: to those in the language of this one, and then to those that are in English alone."""
+    here = [other for other in PAGES if language in languages_of(other)]
+    lines = [_entry(other, language, headings if other == name else None) for other in here]
+    if language != ENGLISH:
+        rest = (f'<li><a href="../{other}.html" hreflang="en" lang="en">{html.escape(title(other))}</a></li>'
+                for other in PAGES if other not in here)
+        lines.append(f"<li>{IN_ENGLISH[language].capitalize()}:\n<ul>{''.join(rest)}</ul></li>")
+    return "\n".join(lines)
+
+
+def _entry(name, language, headings):
+    """A page's line in the contents; of the page itself the anchors and words of its headings, too."""
+    here = "" if headings is None else ' aria-current="page"'
+    parts = "".join(f'<li><a href="#{anchor}">{html.escape(said)}</a></li>' for anchor, said in headings or ())
+    inside = f"\n<ul>{parts}</ul>" if len(headings or ()) > 1 else ""
+    return f'<li><a href="{name}.html"{here}>{html.escape(title(name, language))}</a>{inside}\n</li>'
+
+
+def _anchor(heading):
+    return re.sub(r"[^a-z0-9]+", "-", heading.lower()).strip("-")
+
+
+def _usual_anchor(heading):
+    """As programs name it that show Markdown: translations link it so."""
+    return re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 
 
 def _plain(inline):
@@ -154,23 +187,23 @@ def _picture(source):
         return made.getvalue()
 
 
-def _require_links(name, text, made):
+def _require_links(name, page, made):
     """Raises Broken unless every page and anchor that a page links is there."""
-    for target in re.findall(r'href="([^":]*)"', text):
-        page, _, anchor = target.partition("#")
-        if page.endswith(".html") or not page:
-            linked = made.get(page[:-5], "") if page else text
+    for target in re.findall(r'href="([^":]*)"', page):
+        other, _, anchor = target.partition("#")
+        if other.endswith(".html") or not other:
+            linked = made.get(posixpath.normpath(posixpath.join(posixpath.dirname(name), other[:-5])), "") if other else page
             if not linked or (anchor and f'id="{anchor}"' not in linked):
                 raise Broken(f"{name} links {target}, which is not there")
 
 
 _TEMPLATE = """<!doctype html>
-<html lang="en">
+<html lang="{language}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{title} · Splinewright</title>
-<link rel="stylesheet" href="style.css">
+<link rel="stylesheet" href="{root}style.css">
 </head>
 <body>
 <nav>
@@ -179,7 +212,7 @@ _TEMPLATE = """<!doctype html>
 </ul>
 </nav>
 <main>
-{body}</main>
+{languages}{body}</main>
 </body>
 </html>
 """

@@ -77,7 +77,7 @@ PICTURES = (
     Picture("001.71", "Uniform B-spline functions", 2,
             (add('functions', family='bspline', degree=3, knot_values="0 1 2 3 4 5 6 7 8 9", width=6.0, height=2.0), LABELS)),
     Picture("001.72", "The curve begins where four functions are active", 2,
-            (add('functions', family='bspline', degree=3, knot_values=_UNIFORM, show='sum', width=6.0, height=2.0), LABELS)),
+            (add('functions', family='bspline', degree=3, knot_values=_UNIFORM, show='sum', domain=True, width=6.0, height=2.0), LABELS)),
     Picture("001.75", "The first span, its four points and their hull", 5,
             (add('nurbs_curve', degree=3, count=4, knots='UNCLAMPED'), add('hulls', show='hulls'), click(0), NET, LABELS)),
     Picture("001.76", "Two spans and both hulls; the joint lies in what they have in common", 5,

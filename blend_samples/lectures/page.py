@@ -11,6 +11,7 @@ PROJECT = HERE.parents[1]
 PAGE = PROJECT / "addon/manual/lectures.md"
 sys.path.insert(0, str(HERE))
 
+import field_names
 import pictures
 import steps
 
@@ -35,8 +36,6 @@ _WORDS = {
     'splinewright.add_construction': "*Construction of a Point*", 'splinewright.add_chain_points': "*Chain Points*", 'splinewright.add_hulls': "*Convex Hulls*",
     'splinewright.add_halving': "*Halved Polygons*", 'splinewright.add_marks': "*Marks on a Curve*", 'splinewright.add_orders': "*Orders of Points*",
     'splinewright.add_revolve': "*Revolve*", 'object.shade_flat': "*Shade Flat*", 'object.shade_smooth': "*Shade Smooth*"}
-#: Fields whose label is not the name that scripts use.
-_FIELDS = {'parametrisation': "spacing"}
 _OVERLAYS = {'NET': "Control Net", 'LABELS': "Labels", 'KNOTS': "Knots", 'COMB': "Curvature Comb", 'HODOGRAPH': "Hodograph", 'ISOCURVES': "Isocurves"}
 
 
@@ -71,7 +70,7 @@ def _words(step):
         return "**S 0**"
     if step.operator == 'splinewright.show_sight':
         return f"overlay *{_OVERLAYS[settings['sight']]}*"
-    return " ".join(filter(None, (_WORDS[step.operator], ", ".join(_field(name, value) for name, value in settings.items()))))
+    return ": ".join(filter(None, (_WORDS[step.operator], ", ".join(_field(step.operator, name, value) for name, value in settings.items()))))
 
 
 def _counted(word, numbers, first):
@@ -79,8 +78,10 @@ def _counted(word, numbers, first):
     return f"{word}{'s' if len(texts) > 1 else ''} {', '.join(texts[:-1]) + ' and ' if len(texts) > 1 else ''}{texts[-1]}"
 
 
-def _field(name, value):
-    return f"{_FIELDS.get(name, name.replace('_', ' '))} {_value(value)}"
+def _field(operator, name, value):
+    """A field and its value, both as the panel of the last operator calls them."""
+    choices = field_names.CHOICES.get((operator, name))
+    return f"*{field_names.FIELDS[operator][name]}* {f'*{choices[value]}*' if choices else _value(value)}"
 
 
 def _value(value):

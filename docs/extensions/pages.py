@@ -9,7 +9,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 DOCS = PROJECT / "docs"
 sys.path.insert(0, str(PROJECT / "addon"))
 
-import make_manual  # noqa: E402
+import manual_pages  # noqa: E402
 import python_pages  # noqa: E402
 
 CPP_ROOMS = {
@@ -30,21 +30,43 @@ def fresh(name):
 
 
 def guide():
-    """The manual's pages; what they take of the README is put in, and links lead to where files lie from there."""
+    """The manual's pages in every language that they are there in."""
     folder = fresh("guide")
-    readme = (PROJECT / "README.md").read_text()
-    for name in make_manual.PAGES:
-        text = (make_manual.SOURCE / f"{name}.md").read_text()
-        text = re.sub(r"^<!-- README: (.+) -->$", lambda found: make_manual.section(readme, found[1]), text, flags=re.M)
-        text = re.sub(r"\]\((?:\.\./\.\./)?(blend_samples[^)]*)\)", r"](../../\1)", text)
-        text = re.sub(r"(?<!!)\[([^\]]+)\]\((?:addon/splinewright/)?(CHANGELOG\.md)\)", r"[\1](../changelog.md)", text)
-        text = re.sub(r"(?<!!)\[([^\]]+)\]\((LICENSE|CONTRIBUTING\.md|(?:addon|tests|native|examples|\.\./\.\./blend_samples)\b[^)]*)\)",
-                      r"\1", text)
-        text = re.sub(r"<!-- F1: .*? -->\n?", "", text, flags=re.S)
-        (folder / f"{name}.md").write_text(text)
-    others = "\n".join(name for name in make_manual.PAGES if name != "index")
-    with (folder / "index.md").open("a") as index:
-        index.write(f"\n```{{toctree}}\n:hidden:\n\n{others}\n```\n")
+    translations = [manual_pages.address("index", language) for language in manual_pages.languages_of("index")[1:]]
+    for language in manual_pages.LANGUAGES:
+        names = [name for name in manual_pages.PAGES if language in manual_pages.languages_of(name)]
+        place = (folder / manual_pages.address("index", language)).parent
+        place.mkdir(exist_ok=True)
+        for name in names:
+            (place / f"{name}.md").write_text(guide_page(name, language))
+        others = [*names[1:], *(translations if language == manual_pages.ENGLISH else ())]
+        with (place / "index.md").open("a") as index:
+            index.write("\n```{toctree}\n:hidden:\n\n" + "\n".join(others) + "\n```\n")
+
+
+def guide_page(name, language):
+    """What a page takes of the README is put in, links lead to where files lie from there, and other languages stand below the title."""
+    text = manual_pages.text(name, language)
+    up = "../" if language == manual_pages.ENGLISH else "../../"
+    text = re.sub(r"\]\((?:\.\./\.\./)?(blend_samples[^)]*)\)", r"](../../\1)", text)
+    text = re.sub(r"(?<!!)\[([^\]]+)\]\((?:addon/splinewright/)?(CHANGELOG\.md)\)", rf"[\1]({up}changelog.md)", text)
+    text = re.sub(r"(?<!!)\[([^\]]+)\]\((LICENSE|CONTRIBUTING\.md|(?:addon|tests|native|examples|\.\./\.\./blend_samples)\b[^)]*)\)",
+                  r"\1", text)
+    text = re.sub(r"\]\(docs/([\w-]+\.md)\)", rf"]({up}\1)", text)
+    text = re.sub(r"<!-- F1: .*? -->\n?", "", text, flags=re.S)
+    known = manual_pages.languages_of(name)
+    root = "" if language == manual_pages.ENGLISH else "../"
+    links = " · ".join(manual_pages.LANGUAGES[other] if other == language else
+                       f"[{manual_pages.LANGUAGES[other]}]({root}{manual_pages.address(name, other)}.md)" for other in known)
+    title, _, rest = text.partition("\n")
+    return f"{title}\n\n{links}\n\n{rest}" if len(known) > 1 else text
+
+
+def speak(app, page, template, context, doctree):
+    """A page of the manual is in the language of its folder."""
+    folder = page.removeprefix("guide/").partition("/")[0]
+    if page.startswith("guide/") and folder in manual_pages.LANGUAGES:
+        context["language"] = folder
 
 
 def cpp():
@@ -68,4 +90,5 @@ def setup(app):
     guide()
     python_pages.write(fresh("python"))
     cpp()
+    app.connect("html-page-context", speak)
     return {"parallel_read_safe": True}

@@ -8,7 +8,7 @@ from pathlib import Path
 PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "addon"))
 
-import make_manual  # noqa: E402
+import manual_pages  # noqa: E402
 
 MODULES = {
     "splinecore": "Curves, patches, sets, meshes, formulas",
@@ -90,5 +90,5 @@ def write(folder):
     names = "\n".join(MODULES)
     (folder / "index.md").write_text(
         "# The Python module\n\n| module | contents |\n| --- | --- |\n" + "\n".join(rows) + "\n\n"
-        + make_manual.section((PROJECT / "README.md").read_text(), "The module in ten lines")
+        + manual_pages.section((PROJECT / "README.md").read_text(), "The module in ten lines").replace("](docs/", "](../")
         + f"\n```{{toctree}}\n:hidden:\n\n{names}\n```\n")

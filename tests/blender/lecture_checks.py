@@ -4,7 +4,7 @@ import numpy as np
 
 from support import part
 
-labels, store = part('core.analysis.labels'), part('bridge.data.store')
+labels, store = part('core.formulas.labels'), part('bridge.data.store')
 CHECKS = {}
 #: Blender moves points in single precision.
 NEAR = 1e-6

@@ -271,6 +271,8 @@ def begins(obs):
     require_sum(obs[0], 2.0, (3.0, 4.0))
     total, = named(obs[0], "sum")
     assert at(total, [2.5])[0, 1] < 2.0 - 1e-3
+    places = np.concatenate([curve.points for curve in named(obs[0], "domain")])[:, 0]
+    assert same((places.min(), places.max()), (3.0 * 6.0 / 7.0, 4.0 * 6.0 / 7.0))
 
 
 def in_hull(points, hull):

@@ -69,7 +69,8 @@ FOLLOWED = {
     'mirror': shapes_of(sheet(1)), 'offset': shapes_of(wave()), 'about': shapes_of(wave()),
     'blend': shapes_of(wave(), sc.BezierCurve([(5, 2, 1), (6, 2, 2)])), 'section': shapes_of(sheet(), UPRIGHT),
     'planes': shapes_of(bottle()), 'on_patch': shapes_of(sheet(), INSIDE), 'basis': shapes_of(wave()),
-    **{kind: shapes_of(wave()) for kind in ('basis_triangle', 'halving', 'hulls', 'chain_points', 'marks', 'discs', 'orders', 'influence', 'lift', 'perspective')},
+    **{kind: shapes_of(wave()) for kind in ('basis_triangle', 'halving', 'hulls', 'chain_points', 'marks', 'discs', 'orders', 'influence', 'labels', 'lift', 'perspective')},
+    'basis_products': shapes_of(sheet()),
     'construction': shapes_of(wave()), 'projected': shapes_of(INSIDE.translated((0, 0, 2)), sheet(bend=0.1)),
 }
 #: Of these recipes the operators have names of their own, among the others.
@@ -212,6 +213,7 @@ BECAUSE = {
     'release_seam': "what was held stays where it was", 'clear_point_keys': "removes keyframes",
     'set_patch_material': "gives faces a material", 'tolerance_from_render': "sets how fine the mesh is",
     'update_now': "makes again what recipes make, which have cases", 'update_late': "the same, beside Blender", 'export_bpt': "writes a file",
+    'export_figure': "writes a file",
     'project_points': "makes meshes of points", 'radius_here': "changes the radius, which lies along a curve",
     'tilt_here': "changes the tilt, which lies along a curve", 'bake_animation': "leaves keys, and no shape",
     'unbake': "brings back the shapes of before",

@@ -77,6 +77,18 @@ def activate(*obs):
     bpy.context.view_layer.objects.active = obs[0]
 
 
+def made(kind, *sources, **settings):
+    """The object that the operator of a recipe adds, from these objects or from none."""
+    if sources:
+        activate(*sources)
+    assert op(getattr(bpy.ops.splinewright, f"add_{kind}"), **settings) == {'FINISHED'}
+    return bpy.context.object
+
+
+def pieces_named(ob):
+    return [piece.name for piece in part('bridge.data.store').read(ob.data).pieces]
+
+
 def shown(ob):
     if ob.type == 'CURVE':
         return np.concatenate([curve_points(spline) for spline in ob.data.splines])

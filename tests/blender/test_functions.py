@@ -8,7 +8,7 @@ from shapes import activate, add, require_exact
 from support import part, splinecore as sc
 
 functions, piece_materials, store = (part(name) for name in (
-    'core.formulas.functions', 'bridge.curve.piece_materials', 'bridge.data.store'))
+    'core.formulas.functions', 'bridge.shape.piece_materials', 'bridge.data.store'))
 
 
 def names_of(ob):
@@ -85,6 +85,15 @@ def test_they_are_of_the_kind_of_the_curve(value, names):
     assert names_of(bpy.context.object) == names
 
 
+def test_the_domain_is_marked_and_its_absence_told(capfd):
+    ob = added(family='bspline', degree=2, knot_values="0 1 2 3 4 5", axes=False, domain=True)
+    assert names_of(ob) == [f"N_{{{i},2}}" for i in range(3)] + [functions.DOMAIN] * 4 and slots_of(ob) == [3, 4, 5, 2, 2, 2, 2]
+    require_exact(ob)
+    capfd.readouterr()
+    assert functions.DOMAIN not in names_of(added(family='bspline', degree=2, knot_values="0 1 2 3", domain=True))
+    assert "there is no domain" in capfd.readouterr().out
+
+
 def test_names_are_saved(tmp_path):
     ob = added(degree=2, knot_values="0 1 2 3 4")
     names, slots = names_of(ob), slots_of(ob)
@@ -135,7 +144,7 @@ def test_levels_that_are_not_there_are_refused():
 
 def labels_of(ob):
     return [(f"{label.base}{label.below and '_' + label.below}{label.after}", label.point) for label in
-            part('core.analysis.labels').of(store.read(ob.data))]
+            part('core.formulas.labels').of(store.read(ob.data))]
 
 
 def test_functions_ticks_and_levels_have_their_labels():

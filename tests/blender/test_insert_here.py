@@ -114,7 +114,8 @@ def test_shapes_and_nets_can_be_pointed_at_and_what_comes_of_numbers_cannot():
 
 def test_the_status_bar_names_what_will_be_inserted():
     aim = part('ui.aim_overlay').Aim
-    assert "Point at the shape" in insert_here._status(None, 'Knot', 'insert')
-    assert "Knot at u = 0.25 " in insert_here._status(aim("a", 1, (0.25,), 'U'), 'Knot', 'insert')
-    assert "Knot at v = 2 " in insert_here._status(aim("a", 1, (0.25, 2.0), 'V'), 'Knot', 'insert')
-    assert "Knot at u = 0.25, v = 2 " in insert_here._status(aim("a", 1, (0.25, 2.0), 'BOTH'), 'Knot', 'insert')
+    words = "Knot at {numbers}", "Click: insert"
+    assert "Point at the shape" in insert_here._status(None, *words)
+    assert "Knot at u = 0.25 " in insert_here._status(aim("a", 1, (0.25,), 'U'), *words)
+    assert "Knot at v = 2 " in insert_here._status(aim("a", 1, (0.25, 2.0), 'V'), *words)
+    assert "Knot at u = 0.25, v = 2 " in insert_here._status(aim("a", 1, (0.25, 2.0), 'BOTH'), *words)

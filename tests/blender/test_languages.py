@@ -4,6 +4,7 @@ import json
 from types import SimpleNamespace
 
 import bpy
+import numpy as np
 import pytest
 
 from shapes import add
@@ -50,6 +51,7 @@ def switch(language):
     view = bpy.context.preferences.view
     view.language = language
     view.use_translate_interface = view.use_translate_tooltips = True
+    languages.give()                    # a window is told that the language is another
 
 
 def refused():
@@ -111,7 +113,8 @@ def test_code_reads_english_in_any_language():
 def test_nothing_stays_behind():
     languages.unregister()
     try:
-        switch('pl_PL')
+        bpy.context.preferences.view.language = 'pl_PL'
+        bpy.context.preferences.view.use_translate_interface = True
         assert bpy.app.translations.pgettext_iface("Insert Knot", "Operator") == "Insert Knot"
         assert words.say("Corner Cutting") == "Corner Cutting"
     finally:
@@ -155,3 +158,48 @@ def subclasses(cls):
 
 def is_wordy(text):
     return " " in (text or "") and sum(map(str.isalpha, text)) > 4 and not text.startswith("W =")
+
+
+def given():
+    """Languages whose files were read, and those whose texts Blender has."""
+    return languages.of.cache_info().currsize, set(languages._given)
+
+
+@pytest.fixture
+def started_anew():
+    languages.unregister()
+    bpy.context.preferences.view.language = 'en_US'
+    languages.register()
+
+
+@in_languages
+def test_a_file_is_read_when_its_language_is_spoken(started_anew):
+    assert given() == (0, set())
+    assert words.say("Corner Cutting") == "Corner Cutting" and given() == (0, set())
+    switch('ru_RU')
+    assert given() == (1, {'ru_RU'})
+    switch('pl_PL')
+    assert given() == (2, {'ru_RU', 'pl_PL'})
+    assert bpy.app.translations.pgettext_iface("Insert Knot", "Operator") == "Wstaw węzeł"
+
+
+@in_languages
+def test_a_language_that_was_chosen_before_is_there_at_the_start(started_anew):
+    switch('it_IT')
+    languages.unregister()
+    languages.register()
+    assert given() == (1, {'it_IT'})
+    assert bpy.app.translations.pgettext_iface("Insert Knot", "Operator") == "Inserisci nodo"
+
+
+@in_languages
+def test_what_is_written_beside_points_follows_the_language(monkeypatch):
+    overlay, labels, drawn = part('ui.labels_overlay'), part('core.formulas.labels'), []
+    monkeypatch.setattr(overlay, 'blf', SimpleNamespace(size=lambda *_: None, position=lambda *_: None, dimensions=lambda *_: (10.0, 10.0),
+                                                        draw=lambda _font, text: drawn.append(text)))
+    many = part('core.shape.definition').from_value(sc.NurbsPatch((1, 1), (np.r_[0, np.arange(30.0), 29],) * 2, np.zeros((30, 30, 3))))
+    label, = labels.of(many)
+    switch('pl_PL')
+    overlay._draw_label(label, 0.0, 0.0, 1.0)
+    overlay._draw_label(labels.Label("P", "0,1", "  w = 2", (0, 0, 0)), 0.0, 0.0, 1.0)
+    assert drawn[0] != str(label.after) and "956" in drawn[0] and drawn[1:] == ["P", "0,1", "  w = 2"]

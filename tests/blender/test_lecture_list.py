@@ -11,6 +11,7 @@ from lecture_checks import CHECKS
 from support import part
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples/lectures"))
+import field_names
 import making
 import page
 import pictures
@@ -42,3 +43,17 @@ def test_the_page_calls_commands_by_their_names():
         room, _, name = operator.partition(".")
         label = getattr(getattr(bpy.ops, room), name).get_rna_type().name
         assert words == "**Tab**" or words.strip("*") in (label, label.removeprefix("Add ")), (operator, label)
+
+
+def test_the_page_calls_fields_and_choices_by_their_names():
+    for operator, labels in field_names.FIELDS.items():
+        room, _, name = operator.partition(".")
+        properties = getattr(getattr(bpy.ops, room), name).get_rna_type().properties
+        for field, label in labels.items():
+            assert properties[field].name == label, (operator, field)
+            known = field_names.CHOICES.get((operator, field))
+            if properties[field].type == 'ENUM':
+                items = {item.identifier: item.name for item in properties[field].enum_items}
+                assert known and known.items() <= items.items(), (operator, field, items)
+            else:
+                assert known is None, (operator, field)

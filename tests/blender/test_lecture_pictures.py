@@ -4,23 +4,12 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, activate, add, require_exact
+from shapes import VALUES, add, made, pieces_named, require_exact
 from support import part, splinecore as sc
 
-labels, piece_materials, store = (part(name) for name in ('core.analysis.labels', 'bridge.curve.piece_materials', 'bridge.data.store'))
+labels, piece_materials, store = (part(name) for name in ('core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
 CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]
 PLANE = np.array([(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0)], float)
-
-
-def made(kind, *sources, **settings):
-    if sources:
-        activate(*sources)
-    assert getattr(bpy.ops.splinewright, f"add_{kind}")('EXEC_DEFAULT', True, **settings) == {'FINISHED'}
-    return bpy.context.object
-
-
-def names_of(ob):
-    return [piece.name for piece in store.read(ob.data).pieces]
 
 
 def values_of(ob):
@@ -36,14 +25,14 @@ def labels_of(ob):
 @pytest.mark.parametrize('name', CURVES)
 def test_they_are_made_of_every_kind_of_curve(kind, settings, name):
     ob = made(kind, add(VALUES[name](), "curve"), **settings)
-    assert all(names_of(ob)) and len(ob.data.materials) > 2
+    assert all(pieces_named(ob)) and len(ob.data.materials) > 2
     require_exact(ob)
 
 
 def test_the_homogeneous_curve_follows_weights_and_its_image_follows_it():
     source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
     ob = made('lift', source, height=1.0, base='one', cone=6, factor_start=1.0, factor_end=1.0)
-    assert names_of(ob)[0] == "homogeneous curve" and names_of(ob).count("cone") == 7 and names_of(ob).count("ray") == 4
+    assert pieces_named(ob)[0] == "homogeneous curve" and pieces_named(ob).count("cone") == 7 and pieces_named(ob).count("ray") == 4
     assert np.allclose(values_of(ob)[0].points, [(0, 0, 0), (2, 4, 1), (1.5, 1, -0.5), (4, 0, 0)])
     assert {"P_1  W = 2", "p_1", "O", "W = 0", "W = 1"} <= set(labels_of(ob))
     require_exact(ob)
@@ -74,7 +63,7 @@ def test_the_image_of_a_curve_in_space_has_weights_by_its_height():
 def test_the_triangle_of_typed_knots_points_out_what_is_chosen():
     ob = made('triangle', degree=2, knot_values="0 1 2 3", chosen="0,2", feeding='parents', spans="1")
     assert {"N_0,2", "N_2,0", "u/2", "(3-u)/2", "[1, 2)"} <= set(labels_of(ob))
-    assert names_of(ob).count("parents 0,2") == 2 and "wedge 1" in names_of(ob)
+    assert pieces_named(ob).count("parents 0,2") == 2 and "wedge 1" in pieces_named(ob)
     require_exact(ob)
     ob.data.splinewright_parameters.triangle_knot_values = "0 1 1 2 3"
     bpy.context.view_layer.update()
@@ -97,10 +86,10 @@ def test_the_triangle_of_a_curve_follows_its_knots():
 def test_discs_have_the_colors_of_the_functions_and_take_keys():
     source = add(sc.BezierCurve(PLANE), "curve")
     ob = made('discs', source, position=0.0, radius=0.5)
-    assert names_of(ob) == [f"B_{{{i},3}}" for i in range(4)] + ["mark C  u = 0"]
+    assert pieces_named(ob) == [f"B_{{{i},3}}" for i in range(4)] + ["mark C  u = 0"]
     graphs = made('basis', source, show='functions', axes=False)
     colors, others = piece_materials.colors_of(ob.data), piece_materials.colors_of(graphs.data)
-    assert all(colors[name] == others[name] for name in names_of(ob)[:4])
+    assert all(colors[name] == others[name] for name in pieces_named(ob)[:4])
     ob.data.splinewright_parameters.discs_position = 0.5
     bpy.context.view_layer.update()
     radii = [np.ptp(value.evaluate(np.linspace(*value.domain, 5))[:, 0]) / 2 for value in values_of(ob)[:4]]
@@ -109,11 +98,11 @@ def test_discs_have_the_colors_of_the_functions_and_take_keys():
 
 def test_orders_have_their_names_as_labels():
     ob = made('orders', add(sc.BezierCurve(PLANE), "curve"), wanted_orders="", columns=4, polygons=True)
-    assert sum(name.startswith("order") for name in names_of(ob)) == 12 and {"0123", "0213"} <= set(labels_of(ob))
+    assert sum(name.startswith("order") for name in pieces_named(ob)) == 12 and {"0123", "0213"} <= set(labels_of(ob))
     require_exact(ob)
     ob.data.splinewright_parameters.orders_wanted_orders = "0 2 1 3"
     bpy.context.view_layer.update()
-    assert names_of(ob) == ["order 0213", "polygon"]
+    assert pieces_named(ob) == ["order 0213", "polygon"]
     with pytest.raises(RuntimeError, match="is not an order"):
         made('orders', add(sc.BezierCurve(PLANE), "other"), wanted_orders="0 2", columns=4)
 
@@ -123,7 +112,7 @@ def test_influence_is_red_and_says_its_share(capfd):
     capfd.readouterr()
     ob = made('influence', source, index=1)
     assert "it moves 50 % of the length" in capfd.readouterr().out
-    assert names_of(ob) == ["influence", "mark P_{1}"] and piece_materials.colors_of(ob.data)["influence"][0] > 0.8
+    assert pieces_named(ob) == ["influence", "mark P_{1}"] and piece_materials.colors_of(ob.data)["influence"][0] > 0.8
     ob.data.splinewright_parameters.influence_index = 0
     bpy.context.view_layer.update()
     assert np.allclose(values_of(ob)[0].points[:, 0], [0, 1])
@@ -134,17 +123,31 @@ def test_influence_is_red_and_says_its_share(capfd):
 @pytest.mark.parametrize('name', ('bezier patch', 'hermite patch', 'nurbs patch', 'teapot', 'mixed set'))
 def test_influence_on_every_kind_of_surface_is_a_red_surface(name):
     ob = made('influence', add(VALUES[name](), "surface"), index=1, index_v=1, above=0.01)
-    assert ob.type == 'MESH' and set(names_of(ob)) == {"influence"} and ob.data.materials[0].name.startswith("Splinewright Influence")
+    assert ob.type == 'MESH' and set(pieces_named(ob)) == {"influence"} and ob.data.materials[0].name.startswith("Splinewright Influence")
     require_exact(ob)
+
+
+def test_influence_on_a_surface_follows_its_knots_and_points():
+    net = np.dstack(np.meshgrid(np.arange(5.0), np.arange(4.0), [0.0], indexing='ij')).reshape(5, 4, 3)
+    source = add(sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net), "surface")
+    ob = made('influence', source, index=1, index_v=1, above=0.0, piece=1)
+    corners = [(vertex.co.x, vertex.co.y) for vertex in ob.data.vertices]
+    assert (min(corners), max(corners)) == ((0, 0), (2, 2))
+    source.data.splinewright.value = sc.NurbsPatch((1, 1), ([0, 0, 1, 2, 3, 4, 4], [0, 0, 1, 2, 3, 3]), net + (0, 0, 2))
+    bpy.context.view_layer.update()
+    assert {vertex.co.z for vertex in ob.data.vertices} == {2.0}
+    source.data.splinewright.value = source.data.splinewright.value.insert_knot('u', 0.5)
+    bpy.context.view_layer.update()
+    assert max(vertex.co.x for vertex in ob.data.vertices) == 1.0
 
 
 def test_ducks_hold_a_strip_with_its_energy_as_label():
     ob = made('ducks', ends=0.3)
-    assert names_of(ob)[:3] == ["strip", "end", "end"] and any(label.startswith("E = ") for label in labels_of(ob))
+    assert pieces_named(ob)[:3] == ["strip", "end", "end"] and any(label.startswith("E = ") for label in labels_of(ob))
     require_exact(ob)
     ob.data.splinewright_parameters.ducks_ends = 0.0
     bpy.context.view_layer.update()
-    assert "end" not in names_of(ob)
+    assert "end" not in pieces_named(ob)
 
 
 def test_interpolating_splines_take_end_derivatives_and_knots():
@@ -158,4 +161,4 @@ def test_interpolating_splines_take_end_derivatives_and_knots():
 
 
 def test_axes_are_drawn():
-    assert "axis" in names_of(made('axes', grid=True))
+    assert "axis" in pieces_named(made('axes', grid=True))

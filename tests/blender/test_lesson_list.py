@@ -9,8 +9,8 @@ from layouts import drawn_by
 from shapes import op
 from support import part, scene_state
 
-shelf, stage, panel, maker, reading, overlay = (part(name) for name in (
-    'bridge.lessons.shelf', 'bridge.lessons.stage', 'ui.lesson_list_panel', 'ui.lesson_maker_panel', 'core.lessons.reading', 'ui.lesson_overlay'))
+shelf, stage, panel, maker, reading, texts = (part(name) for name in (
+    'bridge.lessons.shelf', 'bridge.lessons.stage', 'ui.lesson_list_panel', 'ui.lesson_maker_panel', 'core.lessons.reading', 'ui.texts'))
 LESSONS = shelf.all_lessons()
 VALUE = {'format': "splinecore", 'version': 1, 'kind': "bezier_curve", 'points': [[0, 0, 0, 1], [1, 2, 0, 1], [3, 0, 0, 1]]}
 
@@ -169,8 +169,8 @@ def test_the_own_folder_is_where_blender_says(tmp_path, monkeypatch):
 
 
 def test_text_in_the_view_is_wrapped_by_its_width():
-    lines = overlay.wrapped("one two three\nfour incomprehensibilities", 9, len)
-    assert lines == ["one two", "three", "four", "incomprehensibilities"] and overlay.wrapped("", 9, len) == []
+    lines = texts.wrapped("one two three\nfour incomprehensibilities", 9, len)
+    assert lines == ["one two", "three", "four", "incomprehensibilities"] and texts.wrapped("", 9, len) == []
 
 
 def test_a_lesson_can_be_undone(folder):

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 import pytest
 
-from layouts import drawn_by
+from layouts import Layout, drawn_by
 from shapes import add
 from support import part, scene_state, splinecore as sc
 
@@ -136,7 +136,7 @@ def test_the_panel_for_nothing_selected_stays_away_from_lessons():
 
 
 @pytest.mark.parametrize('name, number, said', (
-    ("draftsman", 1, "The solution is made: energy of strip is 0.2447"), ("draftsman", 2, "The answer is 0. A straight line has the curvature 0"),
+    ("draftsman", 1, "The solution is made: bending energy of strip is 0.2447"), ("draftsman", 2, "The answer is 0. A straight line has the curvature 0"),
     ("draftsman", 3, "The answer is: the place, the tangent and the curvature. C2 means"), ("patches", 1, "The point is 6, counted from 0. B")))
 def test_show_me_says_the_answer_with_its_hint(name, number, said):
     scene = started(LESSONS[name])
@@ -229,3 +229,12 @@ def test_a_step_that_cannot_be_made_leaves_none_of_its_shapes():
         with pytest.raises(failures.Refusal, match="levels are 0 to 1"):
             stage.advance(scene, made)
         assert stage.step_of(scene) == 0 and list(stage.shapes_of(scene)) == ["curve"] and scene_state() == before
+
+
+def test_answers_that_are_too_long_for_buttons_stand_above_their_numbers(monkeypatch):
+    monkeypatch.setattr(part('ui.texts'), 'fits', lambda words, beside=0: len(words) < 12)
+    short, long = Layout(), Layout()
+    panel._draw_choices(short, ["a circle", "a line"])
+    panel._draw_choices(long, ["a circle", "a line through both"])
+    assert short.texts == ["a circle", "a line"] and short.operators == ["splinewright.check_answer"] * 2
+    assert long.texts == ["1. a circle", "2. a line through both", "1", "2"] and long.operators == short.operators

@@ -14,6 +14,7 @@ import pytest
 
 from shapes import op
 from support import ADDON, part
+from test_languages import in_languages, switch
 
 manual = part('ui.manual')
 
@@ -40,7 +41,7 @@ def pages():
     """The pages in the zip, {name: {anchor: text}}."""
     with zipfile.ZipFile(os.environ['SPLINEWRIGHT_ZIP']) as archive:
         return {Path(name).name: Text(archive.read(name).decode()).parts for name in archive.namelist()
-                if name.startswith('splinewright/manual/') and name.endswith('.html')}
+                if Path(name).parent.as_posix() == 'splinewright/manual' and name.endswith('.html')}
 
 
 def classes(kind):
@@ -104,6 +105,15 @@ def opened(monkeypatch):
     return found
 
 
+@pytest.fixture
+def speak():
+    """Switches the language of the interface until the test has ended."""
+    yield switch
+    view = bpy.context.preferences.view
+    view.language = 'en_US'
+    view.use_translate_interface = view.use_translate_tooltips = False
+
+
 def path_of(address):
     assert urlparse(address).scheme == 'file' and not urlparse(address).netloc
     return Path(unquote(urlparse(address).path))
@@ -123,6 +133,29 @@ def test_the_button_opens_the_manual(opened):
     assert bpy.ops.splinewright.manual(page="nets.html#knots") == {'FINISHED'}
     assert [path_of(address).name for address in opened] == ["index.html", "nets.html"]
     assert all(path_of(address).is_file() for address in opened) and opened[1].endswith("#knots")
+
+
+@in_languages
+@pytest.mark.parametrize('locale, folder', (('pl_PL', "pl"), ('ru_RU', "ru"), ('it_IT', "it"), ('de_DE', ""), ('en_US', "")))
+def test_pages_open_in_the_language_of_the_interface(locale, folder, opened, speak):
+    speak(locale)
+    bpy.ops.splinewright.manual(page="five-minutes.html")
+    bpy.ops.splinewright.manual(page="files.html")
+    bpy.ops.wm.doc_view_manual(doc_id='splinewright.start_lesson')
+    bpy.ops.wm.doc_view_manual(doc_id='splinewright.insert_knot')
+    root = manual.FOLDER / folder
+    assert [path_of(address) for address in opened] == [
+        root / "five-minutes.html", manual.FOLDER / "files.html", root / "teaching.html", manual.FOLDER / "modify.html"]
+    assert urlparse(opened[2]).fragment == "lessons" and 'id="lessons"' in path_of(opened[2]).read_text(encoding='utf-8')
+    assert all(path_of(address).is_file() for address in opened)
+
+
+@in_languages
+def test_pages_are_english_where_the_interface_is_not_translated(opened, speak):
+    speak('pl_PL')
+    bpy.context.preferences.view.use_translate_interface = False
+    bpy.ops.splinewright.manual(page="teaching.html")
+    assert path_of(opened[0]) == manual.FOLDER / "teaching.html"
 
 
 def test_a_missing_page_or_browser_is_said_in_words(monkeypatch, opened):

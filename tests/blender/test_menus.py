@@ -18,7 +18,7 @@ ENTRY, LINE = 20, 8
 #: Operators that are not found in menus: of panels, keys, files, redo panels, lists and other modes.
 ELSEWHERE = {
     'add_asset_library', 'add_inputs', 'add_lesson_step', 'add_sample', 'ask_question', 'axis_from_edge', 'check_answer',
-    'check_lesson', 'collect_answers', 'edit_linked', 'export_bpt', 'export_json', 'export_lesson', 'fit_patch', 'hold_joint',
+    'check_lesson', 'collect_answers', 'edit_linked', 'export_bpt', 'export_figure', 'export_json', 'export_lesson', 'fit_patch', 'hold_joint',
     'hold_seam', 'import_bpt', 'import_json', 'insert_on_strip', 'leave_lesson', 'leave_result', 'lesson_step', 'manual',
     'measure_whole', 'move_input', 'move_knot', 'new_lesson', 'patch_through_grid', 'pick_answer', 'pick_for_operator', 'pie',
     'release_joint', 'release_seam', 'remove_input', 'remove_on_strip', 'reverse_inputs', 'select_seen', 'self_test',

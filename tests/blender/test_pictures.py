@@ -8,7 +8,7 @@ from shapes import VALUES, activate, add, require_exact
 from support import part, splinecore as sc
 
 labels, piece_materials, signs, store = (part(name) for name in (
-    'core.analysis.labels', 'bridge.curve.piece_materials', 'core.formulas.signs', 'bridge.data.store'))
+    'core.formulas.labels', 'bridge.shape.piece_materials', 'core.formulas.signs', 'bridge.data.store'))
 CORNERS = np.array([(0, 0, 0), (0, 4, 0), (4, 4, 0), (4, 0, 0)], float)
 SPLINE = (3, [0, 0, 0, 0, 1, 3, 4, 4, 4, 4], np.array([(0, 0, 0), (1, 2, 0), (2, -1, 0), (3, 2, 0), (4, 0, 0), (5, 1, 0)], float))
 CURVES = [name for name, make in VALUES.items() if 'patch' not in name and name not in ('ferguson', 'teapot', 'mixed set')]

@@ -271,6 +271,8 @@ def test_every_kind_of_shape_has_its_sights(name):
     assert len(seen.knots_of(ob.data))
     drawn = seen.curves_of(ob.data) if ob.type == 'CURVE' else seen.isocurves_of(ob.data, 2)
     assert len(drawn) and np.isfinite(drawn).all()
+    scale = seen.axes_of(ob.data)
+    assert len(scale.grid) and len(scale.labels) > 4 and np.isfinite(scale.lines).all()
     if ob.type == 'MESH':
         painted = seen.faces_of(ob.data, 'GAUSS')
         assert np.isfinite(painted.positions).all() and painted.triangles.max() == len(painted.values) - 1
@@ -397,7 +399,7 @@ def test_the_popover_has_every_switch(chosen):
         of_one[kind] = add(VALUES[kind](), kind)
         activate(of_one[kind])
         drawn = drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props
-        assert len(drawn) <= 11 and ("comb" in drawn) == (kind == 'nurbs') and ("stripes" in drawn) == (kind == 'nurbs patch')
+        assert len(drawn) <= 12 and ("comb" in drawn) == (kind == 'nurbs') and ("stripes" in drawn) == (kind == 'nurbs patch')
     activate(*of_one.values())
     assert panel.SPLINEWRIGHT_PT_sights.poll(bpy.context)
     assert set(drawn_by(panel.SPLINEWRIGHT_PT_sights, bpy.context).props) == switches

@@ -9,8 +9,8 @@ import pytest
 from shapes import activate, add, op, require_exact
 from support import part, splinecore as sc
 
-follow, recipes, shape, table = (part(name) for name in (
-    'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.recipes.table'))
+definitions, follow, recipes, shape, table = (part(name) for name in (
+    'core.shape.definition', 'bridge.follow.follow', 'bridge.recipes.recipes', 'bridge.shape.shape', 'core.recipes.table'))
 PRIMITIVES = [recipe.kind for recipe in table.STARTING if recipe.is_surface]
 PROFILE = sc.NurbsCurve(3, [0, 0, 0, 0, 1, 2, 2, 2, 2], [(1, 0, 0), (1.5, 0, 0.5), (0.5, 0, 1), (1, 0, 1.5), (1.2, 0, 2)])
 
@@ -32,7 +32,9 @@ def edge_counts(ob):
 def test_a_surface_is_what_its_numbers_say_and_stays_so_in_a_file(kind, tmp_path):
     ob = add_recipe(kind)
     recipe, value, name = table.RECIPES[kind], ob.data.splinewright.value, ob.name
-    assert ob.type == 'MESH' and value == recipe.make(recipe.start, **recipe.defaults).value
+    made = recipe.make(recipe.start, **recipe.defaults).value
+    wanted = definitions.to_value(made) if isinstance(made, definitions.Definition) else made
+    assert ob.type == 'MESH' and value == wanted
     require_exact(ob)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "surface.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "surface.blend"))

@@ -31,6 +31,7 @@ def steps():
         preferences.language = language
         yield from redrawn()
         yield from redrawn()
+        assert bpy.app.translations.pgettext_iface("Insert Knot", "Operator") != "Insert Knot", "Blender was not given the language"
         pictures[short] = save_picture(OUTPUT / f"lesson-{short}.png")
     shown = list(pictures.values())
     for i, picture in enumerate(shown):

@@ -46,6 +46,9 @@ def curves(view):
         bpy.ops.splinewright.add_nurbs_curve('EXEC_DEFAULT', True, count=7)
         bpy.ops.view3d.view_axis(type='TOP')
     yield from alone(view, make, "curve")
+    yield from switched_on(view, 'axes', "axes")
+    chosen().axes = False
+    yield from redrawn()
     yield from switched_on(view, 'polygon', "polygon")
     yield from switched_on(view, 'curve', "curve")
     yield from switched_on(view, 'knots', "knots")
@@ -164,8 +167,8 @@ def straight(view):
 def each(view):
     """Every switch follows a drag, works nothing out where nothing changes, and is free when it is off."""
     for make, switches in (
-            (bpy.ops.splinewright.add_nurbs_curve, ('curve', 'polygon', 'knots', 'comb', 'frame', 'hodograph', 'deviation')),
-            (bpy.ops.splinewright.add_nurbs_patch, ('polygon', 'knots', 'isocurves', 'normals', 'stripes', 'curvature',
+            (bpy.ops.splinewright.add_nurbs_curve, ('curve', 'polygon', 'axes', 'knots', 'comb', 'frame', 'hodograph', 'deviation')),
+            (bpy.ops.splinewright.add_nurbs_patch, ('polygon', 'axes', 'knots', 'isocurves', 'normals', 'stripes', 'curvature',
                                                     'deviation'))):
         yield from alone(view, lambda make=make: make('EXEC_DEFAULT', True), "shape")
         other = bpy.data.objects.new("other", bpy.data.meshes.new("other"))

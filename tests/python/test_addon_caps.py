@@ -149,7 +149,7 @@ def test_ends_at_right_angles_to_their_planes():
 
 def test_numbers_of_corners_that_differ_are_said():
     found = make('loft', SQUARE, moved(SQUARE, z=1.0), moved(polygon((0, 0), (1, 0), (0, 1)), z=2.0))
-    assert found.said == "corners are not matched: of the sections 1, 2 have 4 and 3 has 3"
+    assert found.said == "corners are not matched: sections 1,\u00a02 have 4 corners, section 3 has 3 corners"
     assert make('loft', SQUARE, moved(SQUARE, z=1.0)).said == ""
 
 

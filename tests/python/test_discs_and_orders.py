@@ -40,6 +40,42 @@ def test_the_curve_is_the_mean_of_its_points_with_the_areas(curve):
                 assert np.allclose(np.pi * radii ** 2, np.pi * 0.25 * value, rtol=1e-9)
 
 
+def patches():
+    points, weights = RANDOM.uniform(-3, 3, (6, 5, 3)), RANDOM.uniform(0.2, 4.0, (6, 5))
+    yield sc.BezierPatch(points[:4, :3], weights[:4, :3]).to_nurbs()
+    yield sc.NurbsPatch((3, 2), ([0, 0, 0, 0, 1, 1, 2, 2, 2, 2], [0, 0, 0, 1, 4, 5, 5, 5]), points, weights)
+    yield sc.NurbsPatch((2, 3), (np.cumsum(RANDOM.uniform(0.1, 2, 9)), np.cumsum(RANDOM.uniform(0.1, 2, 9))), points)
+    yield sc.NurbsPatch((2, 2), (range(7), range(6)), points, weights, (True, True))
+
+
+@pytest.mark.parametrize('patch', patches())
+def test_a_point_of_a_patch_is_the_mean_of_its_points_with_the_areas(patch):
+    for position in ((0.0, 0.0), (0.2, 0.9), (0.5, 0.5), (1.0, 0.3), (1.0, 1.0)):
+        u, v = (min(start + share * (end - start), end) for share, (start, end) in zip(position, patch.domain))
+        values = discs.shares_of_patch(patch, u, v)
+        assert values.shape == patch.points.shape[:2] and values.sum() == pytest.approx(1.0, abs=1e-13) and (values >= 0).all()
+        sides = tuple('left' if at == end else 'right' for at, (_, end) in zip((u, v), patch.domain))
+        places, normals = patch.evaluate_grid_with_normals([u], [v], side=sides)
+        assert np.allclose(np.tensordot(values, patch.points, 2), places[0, 0], rtol=0, atol=1e-12)
+        parts, warning = discs.picture_of_patch(patch, position, 0.5)
+        assert warning == "" and len(parts) == values.size + 1
+        for value, part, point in zip(values.ravel(), parts, patch.points.reshape(-1, 3)):
+            if value > 1e-9:
+                around = part.curve.evaluate(np.linspace(*part.curve.domain, 40)) - point
+                assert np.allclose(np.linalg.norm(around, axis=1) ** 2, 0.25 * value, rtol=1e-9)
+                assert np.allclose(around @ normals[0, 0], 0, atol=1e-12), "in the tangent plane"
+
+
+def test_discs_of_a_patch_are_refused_where_they_are_too_many_and_told_where_they_are_not_numbers():
+    with pytest.raises(Refusal, match="1200 functions: 1000 are the most"):
+        discs.picture_of_patch(sc.NurbsPatch((1, 1), ([0, *range(30), 29], [0, *range(40), 39]), RANDOM.uniform(-1, 1, (30, 40, 3))), (0.5, 0.5), 1.0)
+    points = np.dstack(np.meshgrid([0, 1, 2.0], [0, 1.0], [0.0], indexing='ij')).reshape(3, 2, 3)
+    parts, warning = discs.picture_of_patch(sc.BezierPatch(points, [[1, 1], [-1, -1], [1, 1]]).to_nurbs(), (0.5, 0.5), 1.0)
+    assert parts == [] and "at infinity" in warning
+    parts, warning = discs.picture_of_patch(sc.BezierPatch(points, [[1, 1], [0, -0.5], [1, 1]]).to_nurbs(), (0.5, 0.5), 1.0)
+    assert "P1,1 has -" in warning and "1 point at infinity has no circle" in warning
+
+
 def test_bernstein_by_hand():
     values = discs.shares(sc.BezierCurve(np.eye(4)[:, :3]).to_nurbs(), 0.25)
     assert np.allclose(values, [27 / 64, 27 / 64, 9 / 64, 1 / 64], rtol=0, atol=1e-15)

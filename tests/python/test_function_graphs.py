@@ -152,7 +152,7 @@ def test_sums_and_stacks_end_at_one(kind):
         on = points[(points[:, 0] > inside[0]) & (points[:, 0] < inside[-1])]
         assert len(on) > 20 and np.allclose(on[:, 1], 2.0, rtol=0, atol=1e-11)
     stacked = functions.picture(family, 'stacked', 5.0, 2.0, False)
-    assert len(stacked) == sum(functions._of_points(family) > 0)
+    assert len(stacked) == sum(functions.of_points(family) > 0)
 
 
 def test_a_picture_has_its_size_axes_and_names():
@@ -163,6 +163,22 @@ def test_a_picture_has_its_size_axes_and_names():
     points = np.concatenate([graph.curve.points for graph in graphs])
     assert points[:, 0].max() == 6.0 and points[:, 1].max() == 3.0
     assert {graph.curve.points[0, 0] for graph in graphs if graph.name.startswith(functions.TICK)} >= {0.0, 2.0, 6.0}
+
+
+@pytest.mark.parametrize('degree, knots, wanted', ((3, range(8), (3, 4)), (2, [0, 0, 0, 1, 2, 2, 2], (0, 2)), (0, [1, 2, 5], (1, 5)), (2, [0, 1, 2, 3], None),
+                                                   (2, [0, 1, 1, 1, 2], None)))
+def test_the_domain_is_where_functions_add_up_to_1(degree, knots, wanted):
+    family = functions.of_knots(degree, list(knots))
+    assert family.domain == wanted
+    parts = [part.curve for part in functions.picture(family, 'functions', np.ptp(list(knots)), 3.0, False, True) if part.name == functions.DOMAIN]
+    if wanted is None:
+        assert parts == []
+        return
+    corners = np.concatenate([part.points for part in parts])
+    assert len(parts) == 4 and corners.min(axis=0).tolist() == [wanted[0] - knots[0], 0, 0] and corners.max(axis=0).tolist() == [wanted[1] - knots[0], 3, 0]
+    u = at_inside(*wanted)
+    assert np.allclose([sum(float(cox_de_boor(i, degree, [Fraction(knot) for knot in knots], Fraction(each))) for i in range(len(family.names))) for each in u], 1)
+    assert [part.name for part in functions.picture(functions.hermite([1, 2, 4]), 'functions', 1.0, 1.0, False, True)].count(functions.DOMAIN) == 4
 
 
 def test_functions_that_are_zero_are_named():

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy.spatial import ConvexHull
+from scipy.spatial import ConvexHull, HalfspaceIntersection
 
 import splinecore as sc
 from addon_core import core
@@ -98,6 +98,18 @@ def test_an_intersection_lies_in_both_and_has_the_points_that_both_have(seed):
         assert ConvexHull(common.corners).volume == pytest.approx(ConvexHull(swapped.corners).volume, abs=1e-5)
 
 
+@pytest.mark.parametrize('seed', range(20))
+def test_hulls_of_many_points_have_the_intersection_of_their_half_spaces(seed):
+    """Against SciPy (Qhull)."""
+    rng = np.random.default_rng(seed)
+    one, other = (convex.hull(rng.uniform(0, 1, (16, 3)) + (0.3 * i, 0, 0)) for i in range(2))
+    common = convex.intersection(one, other)
+    planes = np.concatenate([np.column_stack([each.normals, -each.offsets]) for each in (one, other)])
+    wanted = HalfspaceIntersection(planes, common.corners.mean(axis=0))
+    assert ConvexHull(common.corners).volume == pytest.approx(ConvexHull(wanted.intersections).volume, rel=1e-4)
+    assert holds(one, common.corners, 4e-6) and holds(other, common.corners, 4e-6)
+
+
 @pytest.mark.parametrize('by, rank, corners', (((0.5, 0.25, 0.5), 3, 8), ((1, 0, 0), 2, 4), ((1, 1, 0), 1, 2), ((1, 1, 1), 0, 1)))
 def test_two_cubes_have_a_box_a_square_a_segment_or_a_point_in_common(by, rank, corners):
     common = convex.intersection(convex.hull(CUBE), convex.hull(CUBE + by))
@@ -145,9 +157,12 @@ def test_doubled_and_tripled_points_of_the_lectures():
     assert [hulls._hull(rows).rank for rows in hulls.groups([ends], True)[0]] == [0, 1, 1, 1, 0]
 
 
-def drawn(shapes, by_spans=True, show='hulls', radius=0.1, closed=False):
+def drawn(shapes, by_spans=True, show='hulls', radius=0.1):
     found = hulls.groups(shapes, by_spans)
-    return hulls.picture(found, show, radius, [closed] * len(found))
+    neighboring = hulls.neighbors(shapes, found, by_spans)
+    if not by_spans:
+        found, neighboring = hulls.whole(found, shapes[0].homogeneous_points.ndim == 2)
+    return hulls.picture(found, show, radius, neighboring)
 
 
 def test_pictures_have_every_edge_once_and_closed_polygons():
@@ -163,7 +178,7 @@ def test_pictures_have_every_edge_once_and_closed_polygons():
 
 def test_periodic_curves_patches_and_points_at_infinity():
     ring = sc.NurbsCurve(2, np.arange(7.0), np.array([(1, 0, 0), (1, 1, 0), (0, 1, 0), (-1, 1, 0), (-1, 0, 0), (0, -1, 0)], float), periodic=True)
-    parts, _ = drawn([ring], closed=True, show='both')
+    parts, _ = drawn([ring], show='both')
     assert {part.name for part in parts} == {*(f"hull {i}" for i in range(6)), "intersection"}
     assert sum(part.name == "intersection" for part in parts) == 6
     patch = sc.NurbsPatch((2, 1), ([0, 0, 0, 1, 2, 2, 2], [0, 0, 1, 2, 2]), np.random.default_rng(2).uniform(-1, 1, (4, 3, 3)))
@@ -172,6 +187,50 @@ def test_periodic_curves_patches_and_points_at_infinity():
     assert len(half[0].curve.points) == 2 and "may leave its hulls" in said
     chain, said = drawn([sc.HermiteCurve(np.eye(3), np.eye(3))])
     assert {part.name for part in chain} == {"hull 0", "hull 1"} and not said
+
+
+def intersections(parts):
+    return [part.curve for part in parts if part.name == "intersection"]
+
+
+def random_patch(seed, periodic=(False, False), degree=(2, 3)):
+    random = np.random.default_rng(seed)
+    sizes = [axis + 2 if not closed else axis + 3 for axis, closed in zip(degree, periodic)]
+    knots = [np.cumsum(random.uniform(0.2, 1, size + 1 + (0 if closed else axis))) for size, axis, closed in zip(sizes, degree, periodic)]
+    return sc.NurbsPatch(degree, knots, random.uniform(-1, 1, (*sizes, 3)), random.uniform(0.3, 3, sizes), periodic)
+
+
+@pytest.mark.parametrize('seed', range(12))
+def test_neighboring_spans_of_a_patch_have_the_curve_between_them_in_common(seed):
+    """Every pair of neighbors, both ways and across seams: points on the knot line lie in both hulls."""
+    patch = random_patch(seed, ((seed % 4) in (1, 3), (seed % 4) in (2, 3)))
+    (found,), (pairs,) = hulls.groups([patch], True), hulls.neighbors([patch], hulls.groups([patch], True), True)
+    bounds = [np.unique(np.clip(np.array(knots), *interval)) for knots, interval in zip(patch.unrolled().knots, patch.domain)]
+    across = len(bounds[1]) - 1
+    counts = len(bounds[0]) - 1, across
+    closed = [is_closed and count > 2 for is_closed, count in zip(patch.periodic, counts)]
+    assert len(found) == counts[0] * counts[1]
+    assert len(pairs) == (counts[0] - 1 + closed[0]) * counts[1] + counts[0] * (counts[1] - 1 + closed[1])
+    made = [hulls._hull(rows) for rows in found]
+    for i, j in pairs:
+        (a, b), (c, d) = divmod(i, across), divmod(j, across)
+        common = convex.intersection(made[i], made[j])
+        axis = 0 if b == d else 1
+        line, along = (a, b)[axis] + 1, np.linspace(*bounds[1 - axis][[(a, b)[1 - axis], (a, b)[1 - axis] + 1]], 7)
+        at = bounds[axis][line:line + 1]
+        between = patch.evaluate_grid(*((at, along) if axis == 0 else (along, at)), side='left').reshape(-1, 3)
+        assert holds(common, between, 4e-6), (i, j)
+
+
+def test_intersections_of_patches_are_drawn_by_spans_and_whole():
+    spans, said = drawn([random_patch(1)], show='both')
+    assert intersections(spans) and not said
+    flat = np.array(list(np.ndindex(3, 2, 1)), float).reshape(3, 2, 3)
+    one, other = sc.BezierPatch(flat), sc.BezierPatch(flat + (2, 0, 0))
+    (common,) = intersections(drawn([one, other], by_spans=False, show='intersections')[0])
+    assert {tuple(point) for point in common.points.tolist()} == {(2, 0, 0), (2, 1, 0)}, "the border that both have"
+    with pytest.raises(FAILURES.Refusal, match="no two neighboring hulls"):
+        drawn([one, sc.BezierPatch(flat + (5, 0, 0))], by_spans=False, show='intersections')
 
 
 def test_what_is_too_much_or_nothing_is_refused():

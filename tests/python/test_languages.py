@@ -4,15 +4,19 @@ import ast
 import re
 import sys
 from collections import Counter
+from types import SimpleNamespace
 
 import pytest
 from addon_core import ADDON, core
+from filled_words import filled
 
 pofile = pytest.importorskip("babel.messages.pofile")       # ./run installs it
 sys.path.insert(0, str(ADDON.parent))
 import make_languages                                       # noqa: E402
 
 FOLDER = ADDON / "languages"
+#: Of two curves that lie beside each other.
+SIDE_BY_SIDE = SimpleNamespace(c=-1, g=-1)
 LANGUAGES = ("it", "pl", "ru")
 #: What is told to users, and the calls that tell it.
 TELLING = re.compile(r"(Refusal|WrongKind|Contradiction|ChangedNet|DamagedNet|UnreadableDefinition|Cycle|\.fail|phrase|say|reports\.\w+|poll_message_set"
@@ -99,6 +103,37 @@ def test_patterns_have_what_fills_them():
             given = {keyword.arg for keyword in call.keywords} - {'one'}
             if isinstance(call.args[0], (ast.Constant, ast.IfExp)) and any(map(holes, patterns)):
                 assert set().union(*map(holes, patterns)) <= given, (path, call.lineno)
+
+
+#: (file, argument) where single words fill a pattern that are names of files and scripts, the same in every language.
+NAMES = {("api.py", "name"), ("core/lessons/reading.py", "names")}
+
+
+def test_no_word_of_english_fills_a_pattern():
+    """It would stay English in other languages: there is a pattern for each, or the word is a phrase."""
+    found = {(path.relative_to(ADDON).as_posix(), name): (line, words) for path in sorted(ADDON.rglob("*.py")) for line, name, words in filled(path)}
+    assert {place: told for place, told in found.items() if place not in NAMES} == {}
+    assert NAMES <= set(found)
+
+
+def test_words_that_fill_a_pattern_are_found(tmp_path):
+    source = tmp_path / "source.py"
+    source.write_text("""
+class A:
+    thing = "Knot"
+    def told(self):
+        return phrase("{thing} is there", thing=self.thing)
+
+def refuse(name, other):
+    raise Refusal("the {name} is closed, {other}", name=name, other=other)
+
+def all_of(given):
+    kind = "tangent" if given else "the next one"
+    for end in ('start', 'end'):
+        refuse(end, other=given)
+    return phrase("{kind} {count}", kind=kind, count=len(given))
+""")
+    assert [found[1:] for found in sorted(filled(source))] == [("thing", {"Knot"}), ("name", {"start", "end"}), ("kind", {"tangent"})]
 
 
 RUSSIAN = r'''
@@ -213,5 +248,21 @@ def test_a_count_is_recognized_by_its_digits_alone():
     try:
         assert words.say("7 curves").startswith("7 ") and words.say("7 curves") != "7 curves"
         assert words.say("Odd curves") == "Odd curves" and words.say("NURBS curve") == "krzywa NURBS"
+    finally:
+        words.use(None)
+
+
+@pytest.mark.parametrize('language', LANGUAGES)
+def test_words_inside_messages_are_translated_with_them(language):
+    words, spoken = core('base.words'), core('base.catalog').read((FOLDER / f"{language}.po").read_text(encoding='utf-8'))
+    side, bounds, lofts = core('verbs.patch_curves').named_side, core('joints.held_bounds'), core('surfaces.lofts')
+    lost = bounds.sentence([(core('joints.held').Held((0, 'u_end'), (1, 'v_start'), 'G2', 'both'), 'G1')])
+    corners = words.listed([lofts._corners([1, 3], 4), lofts._corners([2], 0)])
+    words.use(lambda: spoken)
+    try:
+        for text in (side('u_start'), side('end', 2), lost, corners, core('joints.continuity').in_words(SIDE_BY_SIDE, 3)):
+            said = words.say(text)
+            assert said != text and not re.search(r"\b(start|end|of|the|sections?|corners|gap)\b", said), (text, said)
+        assert words.say(str(corners)) == words.say(corners)
     finally:
         words.use(None)

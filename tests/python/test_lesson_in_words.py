@@ -7,10 +7,11 @@ import pytest
 import splinecore as sc
 from addon_core import ADDON, core
 
-in_words, reading, measures, lessons = (core(f"lessons.{name}") for name in ('in_words', 'reading', 'measures', 'lesson'))
+in_words, reading, measures, lessons, measure_words = (core(f"lessons.{name}") for name in ('in_words', 'reading', 'measures', 'lesson', 'measure_words'))
 FILES = sorted((ADDON / "lessons").glob("*.json"))
 LINE = sc.BezierCurve([(0, 0, 0), (2, 4, 0)])
-SHAPES = {'line': measures.Shown(LINE, {'first_weight': 3.0}), 'other': measures.Shown(LINE.translated((0, 0, 2)), {}), 'half': measures.Shown(LINE, {'position': 0.5})}
+SHAPES = {'line': measures.Shown(LINE, {'first_weight': 3.0}), 'other': measures.Shown(LINE.translated((0, 0, 2)), {}), 'half': measures.Shown(LINE, {'position': 0.5}),
+          'point': measures.Shown(LINE, core('recipes.table').RECIPES['construction'].defaults)}
 
 
 def of(kind, shape="line", **arguments):
@@ -22,11 +23,11 @@ def answer(ask, hint="Look again."):
 
 
 @pytest.mark.parametrize('measure, said', (
-    (of('x', at=0.25), "x of line at 0.25 is 0.5"), (of('point_y', index=1), "y of point 1 of line is 4"),
-    (of('weight', index=0), "weight of point 0 of line is 1"), (of('basis', index=1, at=0.25), "basis of function 1 of line at 0.25 is 0.25"),
+    (of('x', at=0.25), "coordinate x of line at 0.25 is 0.5"), (of('point_y', index=1), "coordinate y of point 1 of line is 4"),
+    (of('weight', index=0), "weight of point 0 of line is 1"), (of('basis', index=1, at=0.25), "basis function 1 of line at 0.25 is 0.25"),
     (of('knot', index=2), "knot 2 of line is 1"), (of('setting', name="first_weight"), "first weight of line is 3"),
-    (of('distance', to="other"), "distance of line to other is 2"), (of('x', at=of('setting', "half", name="position")), "x of line at 0.5 is 1"),
-    (of('high_y', piece=1), "high y of line, piece 1, is 4")))
+    (of('distance', to="other"), "distance of line to other is 2"), (of('x', at=of('setting', "half", name="position")), "coordinate x of line at 0.5 is 1"),
+    (of('high_y', piece=1), "highest y of line, piece 1, is 4"), (of('setting', "point", name="position"), "Position of point is 0.5")))
 def test_a_deed_is_said_by_its_numbers(measure, said):
     found = answer(lessons.Ask('do', (lessons.Condition(measure, 'above', 0.0),)))
     assert found == f"The solution is made: {said}. Look again."
@@ -59,3 +60,25 @@ def test_what_is_moved_is_first_and_other_shapes_are_found_wherever_they_are_nam
              {'text': "Three.", 'ask': {'point': [0], 'of': "b"}}, {'text': "Four.", 'ask': {'choose': ["x", "y"], 'right': 0}}]
     read = reading.read(json.dumps({'format': 1, 'name': "n", 'title': "t", 'steps': steps})).steps
     assert [in_words.spoken_of(read[:count]) for count in range(5)] == [(), ("a", "b", "c", "d"), ("c", "a", "d"), ("b",), ("b",)]
+
+
+def given(kind):
+    """Something for all that a measure takes."""
+    samples = {'at': 0.5, 'at_v': 0.25, 'index': 1, 'order': 2, 'to': "other", 'name': "first_weight"}
+    return lessons.Measure(kind, "line", {name: samples[name] for name in measures.KINDS[kind].takes})
+
+
+@pytest.mark.parametrize('language', ("it", "pl", "ru"))
+@pytest.mark.parametrize('kind', measures.KINDS)
+def test_every_measure_is_named_in_every_language(kind, language):
+    words = core('base.words')
+    catalog = core('base.catalog').read((ADDON / "languages" / f"{language}.po").read_text(encoding='utf-8'))
+    named = measure_words.named(given(kind), SHAPES)
+    values = [str(value) for value in given(kind).arguments.values() if value != "first_weight"]
+    words.use(lambda: catalog)
+    try:
+        said = words.say(named)
+        assert all(value in said for value in ("line", *values)) and " of " not in said and " at " not in said
+        assert said != named
+    finally:
+        words.use(None)

@@ -1,7 +1,8 @@
-"""The manual is made of the README and of its own pages, and reads without a network; the zip has the addresses that are known."""
+"""The manual is made of the README and of its own pages, in all languages, and reads without a network; the zip has the addresses that are known."""
 
 import html.parser
 import io
+import posixpath
 import re
 import sys
 import tomllib
@@ -14,6 +15,10 @@ PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "addon"))
 import make_manual
 import make_zip
+import manual_pages
+
+#: (name, language) of every page.
+ALL = [(name, language) for name in manual_pages.PAGES for language in manual_pages.languages_of(name)]
 
 
 @pytest.fixture(scope='module')
@@ -49,22 +54,61 @@ class Page(html.parser.HTMLParser):
         self.texts.append(data)
 
 
-def test_every_page_is_whole_and_leads_to_all_others(files):
-    for name in make_manual.PAGES:
-        page = Page(files[f"{name}.html"].decode())
-        assert {f"{other}.html" for other in make_manual.PAGES} <= set(page.addresses)
-        assert len(set(page.anchors)) == len(page.anchors), f"{name} has an anchor twice"
-        assert len("".join(page.texts)) > 600, f"{name} is empty"
+def page_of(files, name, language):
+    return Page(files[f"{manual_pages.address(name, language)}.html"].decode())
+
+
+def led_to(name, language, address):
+    """A page or picture from the manual's folder that a page has the address of."""
+    here = f"{manual_pages.address(name, language)}.html"
+    return posixpath.normpath(posixpath.join(posixpath.dirname(here), address.partition("#")[0] or posixpath.basename(here)))
+
+
+@pytest.mark.parametrize('name, language', ALL)
+def test_every_page_is_whole_and_leads_to_all_others(name, language, files):
+    page = page_of(files, name, language)
+    others = {f"{manual_pages.address(other, language if language in manual_pages.languages_of(other) else 'en')}.html" for other in manual_pages.PAGES}
+    assert others <= {led_to(name, language, address) for address in page.addresses}
+    assert len(set(page.anchors)) == len(page.anchors), f"{name} has an anchor twice"
+    assert len("".join(page.texts)) > 600, f"{name} is empty"
+
+
+def test_all_pages_are_made(files):
+    assert {path for path in files if path.endswith(".html")} == {f"{manual_pages.address(*page)}.html" for page in ALL}
 
 
 def test_nothing_of_the_manual_lies_elsewhere(files):
     brought = {"../LICENSE", "../CHANGELOG.md"}
-    for name in make_manual.PAGES:
-        for address in Page(files[f"{name}.html"].decode()).addresses:
-            path = address.partition("#")[0]
-            assert not path or path in files or path in brought, f"{name} asks for {address}"
+    for name, language in ALL:
+        for address in page_of(files, name, language).addresses:
+            path = led_to(name, language, address)
+            assert path in files or path in brought, f"{language}/{name} asks for {address}"
     assert "url(" not in files["style.css"].decode() and "@import" not in files["style.css"].decode()
     assert not any(path.endswith(".js") for path in files)
+
+
+@pytest.mark.parametrize('name, language', ALL)
+def test_a_page_says_its_language_and_leads_to_the_others_at_its_top(name, language, files):
+    text = files[f"{manual_pages.address(name, language)}.html"].decode()
+    assert re.search(r'<html lang="(.*?)">', text)[1] == language
+    top = re.search(r'<main>\n(.*?)<h1 ', text, re.S)[1]
+    others = [other for other in manual_pages.languages_of(name) if other != language]
+    links = re.findall(r'<a href="(.*?)" hreflang="(.*?)" lang="(.*?)">(.*?)</a>', top)
+    assert [(led_to(name, language, address), *said) for address, *said in links] == [
+        (f"{manual_pages.address(name, other)}.html", other, other, manual_pages.LANGUAGES[other]) for other in others]
+    assert (manual_pages.LANGUAGES[language] in top) is bool(others)
+
+
+@pytest.mark.parametrize('name, language', [page for page in ALL if page[1] != 'en'])
+def test_a_translation_has_the_anchors_of_the_english_page(name, language, files):
+    assert page_of(files, name, language).anchors == page_of(files, name, 'en').anchors
+
+
+@pytest.mark.parametrize('language', manual_pages.IN_ENGLISH)
+def test_a_translation_says_which_pages_are_in_english(language, files):
+    texts = [files[f"{manual_pages.address(*page)}.html"].decode().partition("<h1 ")[2] for page in ALL if page[1] == language]
+    after = [found for text in texts for found in re.findall(r'<a href="\.\./[\w-]+\.html[^"]*">[^<]*</a>(.{20})', text, re.S)]
+    assert len(after) > 10 and all(text.startswith(f" ({manual_pages.IN_ENGLISH[language]})"[:20]) for text in after), after
 
 
 def test_pictures_are_those_of_the_readme_and_small(files):
@@ -95,16 +139,31 @@ def test_the_same_sources_give_the_same_bytes(files):
     ("# A\n<b>x</b>\n\n<div>\n</div>\n", "div"),
 ))
 def test_what_leads_nowhere_is_refused(text, what, monkeypatch):
-    source = make_manual._source
-    monkeypatch.setattr(make_manual, '_source', lambda name: text if name == "files" else source(name))
-    with pytest.raises(make_manual.Broken, match=what):
+    source = manual_pages.source
+    monkeypatch.setattr(manual_pages, 'source', lambda name, language='en': text if name == "files" else source(name, language))
+    with pytest.raises(manual_pages.Broken, match=what):
+        make_manual.content()
+
+
+@pytest.mark.parametrize('old, new, what', (
+    ("(../workflows.md)", "(workflows.md)", "pl/index links workflows.html, which is not there"),
+    ("(teaching.md)", "(../teaching.md)", "pl/index links ../teaching.md, which is there in Polski"),
+    ("\n## S", "\nS", "pl/index has 3 headings, and 4 in English"),
+    ("\n## S", "\n<!-- F1: nets -->\n## S", "pl/index: what does <!-- F1: nets --> mean"),
+))
+def test_a_translation_that_is_not_like_the_english_page_is_refused(old, new, what, monkeypatch):
+    source = manual_pages.source
+    text = source("index", "pl").replace(old, new)
+    assert text != source("index", "pl")
+    monkeypatch.setattr(manual_pages, 'source', lambda name, language='en': text if (name, language) == ("index", "pl") else source(name, language))
+    with pytest.raises(manual_pages.Broken, match=what):
         make_manual.content()
 
 
 def test_addresses_on_the_web_stand_in_one_file_only():
     for path in (PROJECT / "addon").rglob("*"):
         if path.suffix in ('.py', '.toml', '.md', '.css') and path.name != "addresses.py":
-            assert not re.search(r"https?://", path.read_text()), path
+            assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)", path.read_text()), path    # that is the name of a format
 
 
 def test_every_part_has_the_addresses_that_are_known():

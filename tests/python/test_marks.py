@@ -6,7 +6,7 @@ import pytest
 import splinecore as sc
 from addon_core import core
 
-marks, signs, labels, definitions = (core(name) for name in ("formulas.marks", "formulas.signs", "analysis.labels", "shape.definition"))
+marks, signs, labels, definitions = (core(name) for name in ("formulas.marks", "formulas.signs", "formulas.labels", "shape.definition"))
 PARABOLA = sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])
 
 

@@ -108,7 +108,7 @@ MODULE = _files(NATIVE / "bindings", ".py", ".pyi")
 HEADERS = _files(NATIVE / "include", ".hpp")
 SOURCES = _files(NATIVE / "src", ".cpp", ".hpp")
 BINDINGS = _files(NATIVE / "bindings", ".cpp", ".hpp")
-PAGES = [*_files(ADDON / "manual", ".md"), *_files(PROJECT / "docs", ".md"),
+PAGES = [*sorted((ADDON / "manual").glob("*.md")), *_files(PROJECT / "docs", ".md"),
          *(PROJECT / name for name in ("README.md", "CONTRIBUTING.md", "SECURITY.md", "addon/splinewright/CHANGELOG.md"))]
 #: Where texts are: (path, line, text).
 ROOMS = {

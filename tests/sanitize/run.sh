@@ -33,7 +33,7 @@ slow_native+=:Area.OfASetIsTheSumOfItsPatches:PatchRemoval.*:SecondJudge.*:Reduc
 quick_python=(tests/python/test_{bad_input,bad_verbs,arrays,values,json,formula,damaged_definitions}.py
               tests/python/test_{shared_values,extremes}.py)
 # These build, install or read sources: nothing of theirs runs in this process.
-not_here=(test_architecture test_contributing test_manual test_matrix test_packaging test_readme test_sharing
+not_here=(test_architecture test_contributing test_manual test_manual_languages test_matrix test_packaging test_readme test_sharing
           test_stubs)
 
 fail() { echo "$*" >&2; exit 1; }

@@ -14,13 +14,13 @@ def _rooms():
                    scene_tolerance, settings_panel, start_panel, toolbar)
     from .operators import (add_curve, add_patch, add_recipe, add_sample, along_here, at_sides, axis_from_edge, bake, cap,
                             contour_through, curve_corners, curve_here, curve_join, curve_meeting, curve_through, divide,
-                            draw_contour, draw_curve, edit, edit_linked, edit_source, exchange, extract, fineness, fit_curve,
+                            draw_contour, draw_curve, edit, edit_linked, edit_source, exchange, extract, figure, fineness, fit_curve,
                             fit_patch, follow, form_verbs, formulas, from_objects, hold_joint, hold_seam, infinity, inputs,
                             insert_here, intersections, join, key_points, knot_verbs, lesson_answers, lesson_making,
                             lesson_questions, lesson_start, lessons, make_deformable, measure_here, measure_whole, move_knot, native, parting,
                             patch_join, pick_piece, project_points, pull_here, round_here, select_seen, self_test, set_knots,
                             shape_state, show_overlays, strip_keys, touching_circle, update_now, use_tool, weight_here)
-    operators = (add_curve, add_recipe, add_patch, add_sample, exchange, edit, edit_source, edit_linked, inputs,
+    operators = (add_curve, add_recipe, add_patch, add_sample, exchange, figure, edit, edit_source, edit_linked, inputs,
                  set_knots, infinity, shape_state, join, follow, bake, from_objects, curve_through, contour_through,
                  fit_curve, draw_curve, draw_contour, fit_patch, divide, project_points, axis_from_edge, native,
                  knot_verbs, form_verbs, curve_join, curve_corners, curve_meeting, patch_join, parting, cap,

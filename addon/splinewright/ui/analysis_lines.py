@@ -71,8 +71,14 @@ def _knot_marks(data):
             line_batches.points(marks, lambda: colors.KNOTS, lambda: 6.0)]
 
 
+def _axes(data):
+    found = overlays.axes_of(data)
+    return [line_batches.lines(found.grid, lambda: colors.GRID, 1.0), line_batches.lines(found.lines, lambda: colors.AXES, 1.5)]
+
+
 #: What lies above others comes last.
 SIGHTS = (
+    Sight('axes', '', (), _axes),
     Sight('isocurves', 'MESH', ('isocurve_count',), _isocurves),
     Sight('knots', 'MESH', (), _knot_lines),
     Sight('normals', 'MESH', ('normal_count', 'normal_length'), _normals),

@@ -8,16 +8,18 @@ from ..bridge.cage import net_object
 from ..bridge.data.settings import overlays_of
 from ..bridge.shape import shape
 from ..core.base.words import say
-from . import analysis_overlay, object_kinds, texts
+from . import analysis_overlay, fields, object_kinds, texts
 from .sub_panel import ClosedPanel
 
 #: Characters that fit a line of the popover.
 _WIDTH = 44
+#: By how much settings are set in, in pixels of an interface that is not scaled.
+_SET_IN = 20
 _CURVES, _PATCHES = {'curve'}, {'patch'}
 #: Switches by groups, of what they show something, and the settings that belong to them.
 _GROUPS = (
     ("Structure", (
-        ("polygon", object_kinds.SHAPES, ()), ("labels", object_kinds.SHAPES, ()), ("points_behind", object_kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", object_kinds.SHAPES, ()),
+        ("polygon", object_kinds.SHAPES, ()), ("labels", object_kinds.SHAPES, ()), ("axes", object_kinds.SHAPES, ()), ("points_behind", object_kinds.SHAPES, ()), ("curve", _CURVES, ()), ("knots", object_kinds.SHAPES, ()),
         ("weights", object_kinds.SHAPES, ()), ("strip", object_kinds.SHAPES, ("strip_tolerance",)), ("isocurves", _PATCHES, ("isocurve_count",)),
         ("normals", _PATCHES, ("normal_length", "normal_count")))),
     ("Curvature", (
@@ -64,8 +66,15 @@ def _draw_settings(column, chosen, names):
     row.separator(factor=2.0)
     below = row.column(align=True)
     for name in names:
-        is_told_by_value = chosen.bl_rna.properties[name].type == 'ENUM'
-        below.prop(chosen, name, **({'text': ""} if is_told_by_value else {}))
+        known = chosen.bl_rna.properties[name]
+        if known.type == 'ENUM':
+            below.prop(chosen, name, text="")       # its value tells what it is
+        elif known.type == 'POINTER':
+            fields.choice(below, chosen, name, beside=_SET_IN)
+        elif known.is_array:
+            below.prop(chosen, name)
+        else:
+            fields.number(below, chosen, name, beside=_SET_IN)
     if names:
         column.separator()
 

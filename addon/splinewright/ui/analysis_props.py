@@ -33,6 +33,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
     curve: _switch("Curve", "Draw the curve itself above its control polygon, finer than its resolution")
     polygon: _switch("Control Net", "Draw control polygons of curves and control nets of surfaces in Object Mode")
     labels: _switch("Labels", "Write the names of control points, weights, knots and functions beside them")
+    axes: _switch("Axes and Grid", "Draw axes with numbers through the origin of shapes, and a grid around them")
     points_behind: _switch("X-Ray Control Points", "Show the points and lines of nets that lie behind the shape, too",
                            update=_points_behind_changed)
     weights: _switch("Weight Dial", "Show a dial around selected points of nets; drag it to change their weights")

@@ -8,8 +8,12 @@ from ..bridge.follow import follow, recipe_results
 from ..bridge.recipes import late, placing, recipes
 from ..bridge.shape import shape
 from ..core.base.words import phrase, say
-from . import active_shape, recipe_props, texts
+from . import active_shape, fields, recipe_props, texts
 from .sub_panel import SidePanel
+
+
+#: In pixels of an interface that is not scaled, an icon and what is between it and words.
+_EYE = 28
 
 
 class SPLINEWRIGHT_PT_construction(SidePanel, bpy.types.Panel):
@@ -62,9 +66,9 @@ def _names(sources, frames):
 
 def _draw_moving(layout, ob):
     is_free = placing.moves_freely(ob.data)
-    row = layout.row(align=True)
+    column = layout.column(align=True)
     for how, text, is_so in (('FREELY', "Moves Freely", is_free), ('WITH_INPUTS', "Stays on Inputs", not is_free)):
-        row.operator("splinewright.set_moving", text=say(text), depress=is_so).how = how
+        column.operator("splinewright.set_moving", text=say(text), depress=is_so).how = how
     if placing.is_away(ob.data, ob):
         texts.draw_note(layout, "Moved away from its inputs")
 
@@ -73,10 +77,10 @@ def _draw_update(layout, data):
     """When the shape is made again, and whether it waits for that."""
     is_manual = data.splinewright.update_mode == 'MANUAL'
     is_stopped = late.is_stopped(data)
-    row = layout.row(align=True)
-    row.prop(data.splinewright, "update_mode")
+    column = layout.column(align=True)
+    fields.choice(column, data.splinewright, "update_mode")
     if is_manual or is_stopped:
-        row.operator("splinewright.update_now", icon='FILE_REFRESH')
+        column.operator("splinewright.update_now", icon='FILE_REFRESH')
     if late.is_late(data) and not is_stopped:
         when = "it waits for Update Now" if is_manual else "it is updated when the mouse rests"
         texts.draw_note(layout, phrase("Its inputs changed: {when}", when=when))
@@ -92,7 +96,7 @@ def _draw_following(layout, ob):
         layout.operator("splinewright.make_editable")
         return
     row = layout.row()
-    texts.draw_note(row, phrase("Follows {names}", names=_names(sources, frames) or 'nothing any more'), icon='LINKED')
+    texts.draw_note(row, phrase("Follows {names}", names=_names(sources, frames) or "nothing any more"), icon='LINKED', beside=_EYE)
     are_hidden = all(source is None or source.hide_get() for source in sources)
     if sources:
         row.operator("splinewright.show_inputs", text="", icon='HIDE_ON' if are_hidden else 'HIDE_OFF').how = (

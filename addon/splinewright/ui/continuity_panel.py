@@ -57,7 +57,7 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
 
 def _draw_in_columns(layout, items):
     """One text, or three of which the last has most room."""
-    for item, share in zip(items, (0.3, 0.43, 1.0) if len(items) > 1 else (1.0,)):
+    for item, share in zip(items, (0.32, 0.45, 1.0) if len(items) > 1 else (1.0,)):
         layout = layout.split(factor=share)
         layout.label(text=say(item))
 
@@ -118,8 +118,9 @@ class _Locks:
 def _draw_joints(layout, survey, locks):
     for joint in survey.joints:
         box = layout.box().column(align=True)
-        row = box.split(factor=0.6) if len(joint.name) <= _SHORT and not locks.holds(joint) else box
-        row.label(text=say(joint.name))
+        name = say(joint.name)
+        row = box.split(factor=0.6) if len(name) <= _SHORT and not locks.holds(joint) else box
+        row.label(text=name)
         row = row.row(align=True)
         row.label(text=say(kind(joint)))
         locks.draw(row, joint)

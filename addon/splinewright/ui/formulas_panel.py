@@ -4,7 +4,6 @@ import bpy
 
 from ..bridge.data import store
 from ..bridge.shape import shape
-from ..core.base.words import say
 from ..core.formulas import formulas
 from ..core.shape import definition as definitions
 from . import texts
@@ -24,13 +23,7 @@ class SPLINEWRIGHT_PT_formulas(ClosedPanel, bpy.types.Panel):
         return shape.has_shape(context.object)
 
     def draw(self, context):
-        column = self.layout.column(align=True)
-        for label, text in _conic(context.object.data):
-            row = column.split(factor=0.3)
-            row.label(text=say(label))
-            lines = row.column(align=True)
-            for line in texts.lines(text):
-                lines.label(text=say(line))
+        texts.draw_pairs(self.layout, _conic(context.object.data))
         self.layout.operator("splinewright.write_formulas", icon='TEXT')
 
 

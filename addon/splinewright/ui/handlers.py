@@ -14,7 +14,7 @@ from ..bridge.net import dragging, keyed, live
 from ..bridge.net.growing import Phase
 from ..bridge.recipes import late, recipes
 from ..core.base.words import phrase
-from . import deviation_paint, editing, finishing, hints, main_thread, messages, saving, texts, timers
+from . import deviation_paint, editing, finishing, hints, languages, main_thread, messages, saving, texts, timers
 from .ui_state import forget, ui_state
 
 #: Seconds after the last move until a shape gets its exact normals.
@@ -133,6 +133,7 @@ def loaded(*_):
     forget()
     undone()
     hints.follow_tools()
+    languages.follow()
     recipes.show_new((*bpy.data.meshes, *bpy.data.curves))
     ui_state.is_scanned, ui_state.was_undone = True, False
 

@@ -38,4 +38,4 @@ def types_of(net_data, session, vertices):
 
 
 def in_words(letters):
-    return ", ".join(words for letter, (_, words, _) in _TYPES.items() if letter in letters)
+    return ", ".join(say(words) for letter, (_, words, _) in _TYPES.items() if letter in letters)

@@ -37,9 +37,9 @@ def draw(layout, data, recipe):
         settings = column.operator("splinewright.move_input", text="", icon=icon)
         settings.index, settings.way = group.active_input, way
     if recipe.arranged:
-        row = layout.row(align=True)
-        row.operator("splinewright.sort_inputs", icon='SORTSIZE')
-        row.operator("splinewright.reverse_inputs", icon='UV_SYNC_SELECT')
+        column = layout.column(align=True)
+        column.operator("splinewright.sort_inputs", icon='SORTSIZE')
+        column.operator("splinewright.reverse_inputs", icon='UV_SYNC_SELECT')
 
 
 CLASSES = (SPLINEWRIGHT_UL_inputs,)

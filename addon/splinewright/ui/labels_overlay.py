@@ -5,8 +5,9 @@ import bpy
 import numpy as np
 
 from ..bridge.analysis import overlays
-from ..bridge.curve import piece_materials
 from ..bridge.data.settings import overlays_of
+from ..bridge.shape import piece_materials
+from ..core.base.words import say
 from . import analysis_overlay, picking
 
 _SIZE, _BELOW = 14.0, 0.72
@@ -18,24 +19,28 @@ _COLOR = (1.0, 1.0, 1.0, 1.0)
 def draw():
     """Called by Blender for each 3D view, in pixels."""
     context = bpy.context
-    if not (context.space_data.overlay.show_overlays and overlays_of(context.scene).labels):
+    chosen = overlays_of(context.scene)
+    if not (context.space_data.overlay.show_overlays and (chosen.labels or chosen.axes)):
         return
     blf.enable(0, blf.SHADOW)
     blf.shadow(0, 5, 0.0, 0.0, 0.0, 1.0)
-    for ob in _labeled(context):
-        found = overlays.kept(ob.data, 'labels', (), overlays.labels_of)
-        if found:
-            _draw_labels(context, ob, found)
+    for ob in labeled(context) if chosen.labels else ():
+        _draw_labels(context, ob, overlays.kept(ob.data, 'labels', (), overlays.labels_of) or ())
+    for ob in analysis_overlay.active_shapes(context) if chosen.axes else ():
+        found = overlays.kept(ob.data, 'numbers', (), overlays.axes_of)
+        _draw_labels(context, ob, found.labels if found else ())
     blf.disable(0, blf.SHADOW)
 
 
-def _labeled(context):
+def labeled(context):
     """Selected shapes, and all pictures that are seen."""
-    pictures = [ob for ob in context.visible_objects if ob.type == 'CURVE' and piece_materials.KEY in ob.data.keys()]
+    pictures = [ob for ob in context.visible_objects if ob.type in ('CURVE', 'MESH') and piece_materials.KEY in ob.data.keys()]
     return dict.fromkeys((*analysis_overlay.active_shapes(context), *pictures))
 
 
 def _draw_labels(context, ob, labels):
+    if not labels:
+        return
     region, scale = context.region, context.preferences.system.ui_scale
     pixels = picking.on_screen(region, context.region_data, ob.matrix_world, np.array([label.point for label in labels]))
     colors = piece_materials.colors_of(ob.data)
@@ -46,12 +51,12 @@ def _draw_labels(context, ob, labels):
 
 
 def _draw_label(label, x, y, scale):
-    for text, size, drop in ((label.base, _SIZE, 0.0), (label.below, _BELOW * _SIZE, 0.25 * _SIZE), (label.after, _SIZE, 0.0)):
-        if text:
-            blf.size(0, size * scale)
-            blf.position(0, x, y - drop * scale, 0)
-            blf.draw(0, text)
-            x += blf.dimensions(0, text)[0]
+    for text, is_below in label.runs:
+        text = say(text)
+        blf.size(0, (_BELOW if is_below else 1.0) * _SIZE * scale)
+        blf.position(0, x, y - (0.25 * _SIZE * scale if is_below else 0.0), 0)
+        blf.draw(0, text)
+        x += blf.dimensions(0, text)[0]
 
 
 CLASSES = ()

@@ -51,7 +51,7 @@ def _draw_shelf(layout, manager):
             layout.label(text="No lesson yet")
         return
     for label, those in lectures.groups(lessons):
-        layout.label(text=short(say(label)))
+        texts.draw_note(layout, label, icon='NONE')
         _draw_lessons(layout, those)
 
 
@@ -86,7 +86,7 @@ def _draw_own(layout):
 
 def short(title):
     """A title that fits a button; the tooltip has it whole."""
-    return title if len(title) <= _TITLE else f"{title[:_TITLE - 1]}…"
+    return title if len(title) <= _TITLE or texts.is_drawn() and texts.fits(title) else f"{title[:_TITLE - 1]}…"
 
 
 CLASSES = (SPLINEWRIGHT_PT_lessons,)

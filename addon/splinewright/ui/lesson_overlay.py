@@ -7,7 +7,7 @@ import gpu
 from ..bridge.lessons import stage
 from ..core.base.failures import FAILURES
 from ..core.base.words import phrase, say
-from . import messages
+from . import messages, texts
 from .operators import lessons
 from .ui_state import ui_state
 
@@ -32,25 +32,11 @@ def draw():
     blf.size(0, _SIZE * scale)
     room = min(right - left - 4 * _MARGIN * scale, _WIDEST * scale)
     lines = [(say(phrase("{title}: {number} of {count}", title=phrase(lesson.title), number=number + 1, count=len(lesson.steps))), _TITLE)]
-    lines += [(line, _TEXT) for line in wrapped(say(lesson.steps[number].text), room, lambda text: blf.dimensions(0, text)[0])]
+    lines += [(line, _TEXT) for line in texts.wrapped(say(lesson.steps[number].text), room, lambda text: blf.dimensions(0, text)[0])]
     if ui_state.lesson_word and str(number) in stage.answers(scene):
         lines.append((say(ui_state.lesson_word), _RIGHT if stage.answers(scene)[str(number)].get('right') else _TITLE))
-    lines += [(line, _RIGHT) for line in wrapped(say(lessons.shown_answer(scene)), room, lambda text: blf.dimensions(0, text)[0])]
+    lines += [(line, _RIGHT) for line in texts.wrapped(say(lessons.shown_answer(scene)), room, lambda text: blf.dimensions(0, text)[0])]
     _draw_lines(lines, left + _MARGIN * scale, _top(context, scale), scale)
-
-
-def wrapped(text, room, width_of):
-    """The lines of a text, each no wider than there is room, as far as its words allow."""
-    lines = []
-    for paragraph in text.splitlines():
-        lines.append("")
-        for word in paragraph.split():
-            longer = f"{lines[-1]} {word}".strip()
-            if lines[-1] and width_of(longer) > room:
-                lines.append(word)
-            else:
-                lines[-1] = longer
-    return lines
 
 
 def _top(context, scale):

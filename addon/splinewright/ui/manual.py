@@ -9,6 +9,7 @@ import bpy
 from bpy.props import StringProperty
 
 from ..core.base.words import phrase
+from . import languages
 from .operators import reports
 
 FOLDER = Path(__file__).resolve().parent.parent / "manual"
@@ -26,10 +27,11 @@ class SPLINEWRIGHT_OT_manual(bpy.types.Operator):
                          options={'SKIP_SAVE'})
 
     def execute(self, context):
-        path = FOLDER / self.page.partition("#")[0]
+        page = translated(self.page)
+        path = FOLDER / page.partition("#")[0]
         if not path.is_file():
             return reports.cancelled(self, phrase("there is no page {path}: install the Splinewright zip again", path=path))
-        if not webbrowser.open(address_of(self.page)):
+        if not webbrowser.open(address_of(page)):
             return reports.cancelled(self, phrase("no browser was found: the manual is {path}", path=path))
         return reports.finished(self, reports.Report(phrase("The manual is {path}", path=path)))
 
@@ -37,6 +39,13 @@ class SPLINEWRIGHT_OT_manual(bpy.types.Operator):
 def address_of(page):
     """For a browser."""
     return f"{FOLDER.as_uri()}/{page}"
+
+
+def translated(page):
+    """The page in the language of the interface if it is there, with the same anchor, or else the English one."""
+    language = languages.spoken()
+    is_there = language and (FOLDER / language / page.partition("#")[0]).is_file()
+    return f"{language}/{page}" if is_there else page
 
 
 def draw_button(layout, page):
@@ -52,7 +61,7 @@ def _map():
 
 def pages():
     """For Blender: where the manual lies, and what leads to which page."""
-    return address_of(""), _map()
+    return address_of(""), [(pattern, translated(page)) for pattern, page in _map()]
 
 
 CLASSES = (SPLINEWRIGHT_OT_manual,)

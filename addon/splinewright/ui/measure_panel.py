@@ -11,12 +11,14 @@ from ..core.analysis import measured
 from ..core.base import decimals
 from ..core.base.failures import FAILURES, sentence
 from ..core.base.words import say
-from . import active_shape, texts
+from . import active_shape, fields, texts
 from .sub_panel import ClosedPanel
 
 #: While a net is edited shapes of more points are measured when it is left.
 _MOST_WHILE_EDITED = 2000
 _DIGITS = 7
+#: What such a number takes beside words, in pixels of an interface that is not scaled.
+_NUMBER = 84
 #: Seconds that may go by while the panel is drawn; while a net is edited, which may be at every step of a drag.
 _SOON, _SOON_WHILE_EDITED = 0.1, 0.02
 
@@ -73,7 +75,7 @@ class SPLINEWRIGHT_PT_measure_place(_Measuring, bpy.types.Panel):
         chosen, count = data.splinewright, len(definition.pieces)
         layout.operator("splinewright.measure_here", icon='EYEDROPPER')
         if count > 1:
-            layout.prop(chosen, "piece")
+            fields.number(layout, chosen, "piece")
         layout.prop(chosen, "measure_u", slider=True)
         if isinstance(data, bpy.types.Mesh):
             layout.prop(chosen, "measure_v", slider=True)
@@ -101,8 +103,12 @@ def _draw_row(column, name, value):
     """A number beside its name, or three below one another."""
     numbers = measured.shown(value)
     for i, number in enumerate(numbers):
-        row = column.split(factor=0.5)
-        row.label(text=say(f"{name} {'XYZ'[i]}" if len(numbers) > 1 else name))
+        words = f"{say(name)} {'XYZ'[i]}" if len(numbers) > 1 else say(name)
+        if not texts.fits(words, _NUMBER):
+            column.label(text=words)
+            words = ""
+        row = column.split(factor=texts.share([words], least=0.45))
+        row.label(text=words)
         row.label(text=decimals.text_of(number, _DIGITS))
 
 

@@ -125,11 +125,12 @@ CONSTRUCTION = Menu('construction', "Construction", (
 ANIMATION = Menu('animation', "Animation", (
     Entry('key_points', icon='KEY_HLT'), *_others(SHAPES, 'clear_point_keys', 'bake_animation'), *_others(BAKED, 'unbake')), 'ANIM')
 PICTURES = Menu('pictures', "Pictures", (
-    *_made(CURVES, ('halving', 'NONE'), ('chain_points', 'NONE'), ('marks', 'NONE'), ('discs', 'NONE'), ('orders', 'NONE'), ('lift', 'NONE'),
-           ('perspective', 'NONE')), *_made(FOLLOWED, ('hulls', 'NONE'), ('influence', 'NONE'))), 'IMAGE_DATA')
+    *_made(CURVES, ('halving', 'NONE'), ('chain_points', 'NONE'), ('marks', 'NONE'), ('orders', 'NONE'), ('lift', 'NONE'),
+           ('perspective', 'NONE')), *_made(FOLLOWED, ('discs', 'NONE'), ('hulls', 'NONE'), ('influence', 'NONE'))), 'IMAGE_DATA')
 TEACHING = Menu('teaching', "Teaching", (
-    *_made(CURVES, ('basis', 'GRAPH'), ('basis_triangle', 'NONE'), ('construction', 'NONE')), PICTURES, *_others(SHAPES, 'write_formulas'), _sight('LABELS')), 'HELP')
-SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name != 'LABELS'), 'OVERLAY')
+    *_made(CURVES, ('basis', 'GRAPH'), ('basis_triangle', 'NONE'), ('construction', 'NONE')), *_made(SURFACES, ('basis_products', 'GRAPH')), PICTURES,
+    *_others(SHAPES, 'write_formulas'), *_made(FOLLOWED, ('labels', 'FONT_DATA')), _sight('LABELS'), _sight('AXES')), 'HELP')
+SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name not in ('LABELS', 'AXES')), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (
     *_tools(SHAPES, 'insert_knot', 'split'), *_tools(PATCH, 'isocurve', 'edge'), None,
@@ -179,7 +180,7 @@ ADD_SURFACE = Menu('surface_add', "NURBS", (
     Entry('add_nurbs_patch', ANY, 'SURFACE_DATA'), None,
     Entry('add_plane', ANY, 'MESH_PLANE'), Entry('add_cylinder', ANY, 'MESH_CYLINDER'), Entry('add_cone', ANY, 'MESH_CONE'),
     Entry('add_sphere', ANY, 'MESH_UVSPHERE'), Entry('add_torus', ANY, 'MESH_TORUS'),
-    Entry('add_surface_formula', ANY, 'FILE_TEXT'), Entry('add_teapot', ANY, 'MESH_UVSPHERE'), None,
+    *_from_numbers('FILE_TEXT', 'surface_formula'), *_from_numbers('GRAPH', 'products'), Entry('add_teapot', ANY, 'MESH_UVSPHERE'), None,
     FROM_CURVES, FROM_SURFACES), 'SURFACE_DATA')
 
 #: What menus of Blender's begin with.

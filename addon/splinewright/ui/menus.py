@@ -99,6 +99,7 @@ def _draw_import(self, context):
 def _draw_export(self, context):
     self.layout.operator("splinewright.export_bpt", text="Bezier Patches (.bpt)")
     self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.spw.json)")
+    self.layout.operator("splinewright.export_figure", text="Figure (.svg, .pdf)")
 
 
 def _draw_apply(self, context):

@@ -65,7 +65,7 @@ def _draw_points(layout, ob, session, has_weights):
     _, vertices = net_props.chosen(data)
     box = layout.column(align=True)
     if not vertices:
-        box.label(text="Select points to edit them")
+        texts.draw_note(box, "Select points to edit them", icon='NONE')
         return
     box.label(text=say(phrase("{count} of {whole} points and handles", count=len(vertices), whole=int((session.net.rows >= 0).sum()))))
     points = data.splinewright_points
@@ -90,9 +90,9 @@ def _draw_points(layout, ob, session, has_weights):
         return
     if len(vertices) > 1 and session.net.weighted[vertices].any():
         box.prop(points, "weight", text="All Weights")
-    row = layout.row(align=True)
-    row.operator("splinewright.point_to_infinity", text="To Infinity")
-    row.operator("splinewright.point_from_infinity", text="Back")
+    column = layout.column(align=True)
+    column.operator("splinewright.point_to_infinity", text="To Infinity")
+    column.operator("splinewright.point_from_infinity", text="Back")
 
 
 def name_of(net, vertex):
@@ -112,9 +112,9 @@ def _draw_knots(layout, definition, pieces):
         label = "Parameters" if piece.kind == 'hermite' else "Knots"
         axes = ("",) if definition.has_curves else ("U", "V")
         for axis, knots in zip(axes, piece.knots):
-            name = " ".join(filter(None, (label, axis, str(i + 1) if len(definition.pieces) > 1 else "")))
+            name = " ".join(filter(None, (say(label), axis, str(i + 1) if len(definition.pieces) > 1 else "")))
             row = layout.row(align=True)
-            row.label(text=say(f"{name}: {describe.knots_text(knots, 8)}"))
+            row.label(text=f"{name}: {describe.knots_text(knots, 8)}")
             button = row.operator("splinewright.set_knots", text="", icon='GREASEPENCIL')
             button.piece, button.axis = i + 1, axis or 'U'
     if len(with_knots) > _PIECES:

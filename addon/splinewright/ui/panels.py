@@ -84,13 +84,7 @@ def _draw_state(layout, ob):
 
 
 def _draw_definition(layout, data):
-    column = layout.column(align=True)
-    for label, text in surveys.described(data):
-        row = column.split(factor=0.3)
-        row.label(text=say(label))
-        lines = row.column(align=True)
-        for line in texts.lines(text):
-            lines.label(text=say(line))
+    texts.draw_pairs(layout, surveys.described(data))
 
 
 class SPLINEWRIGHT_PT_shape(_ShapePanel, SidePanel, bpy.types.Panel):

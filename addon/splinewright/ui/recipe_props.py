@@ -18,12 +18,7 @@ from ..core.base import decimals
 from ..core.base.failures import FAILURES, Refusal, sentence
 from ..core.base.words import phrase, say
 from ..core.recipes.table import RECIPES
-from . import inputs_list, texts
-
-#: Characters of a label for which a third of the width is enough.
-_SHORT = 7
-#: Those of one that fits a field beside its number, in a sidebar as wide as at first.
-_FITS = 11
+from . import fields, inputs_list, texts
 
 
 def property_of(parameter, **more):
@@ -166,28 +161,24 @@ def draw(layout, data, is_net_out=False):
     texts.draw_note(layout, recipe.label, icon='PROPERTIES')
     column = layout.column(align=True)
     if recipe.frame:
-        row = column.row(align=True)
-        row.prop(parameters.of(data), 'frame', text=say(recipe.frame))
+        row = fields.choice(column, parameters.of(data), 'frame', recipe.frame)
         row.operator("splinewright.axis_from_edge", text="", icon='EDGESEL')
     for i, _ in enumerate(recipe.lengths):
         row = column.row(align=True)
         row.enabled = not is_net_out
-        row.prop(parameters.of(data), _length_name(recipe, i))
+        fields.number(row.column(align=True), parameters.of(data), _length_name(recipe, i))
     for parameter in recipe.counting(parameters.of(data), partial(parameters.name_of, recipe)):
         row = column.row(align=True)
         row.enabled = not is_net_out or parameter.name == 'closed'
+        name = parameters.name_of(recipe, parameter)
         if isinstance(parameter.default, str):
-            row = row.split(factor=0.45 if len(parameter.label) > _SHORT else 0.33, align=True)
-            row.label(text=say(parameter.label))
-            row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
+            row = fields.choice(row.column(align=True), parameters.of(data), name)
             if parameter.name == 'edges':
                 row.operator("splinewright.round_here", text="", icon='EYEDROPPER')
-        elif len(parameter.label) > _FITS and not isinstance(parameter.default, bool):
-            row = row.split(factor=0.6, align=True)
-            row.label(text=say(parameter.label))
-            row.prop(parameters.of(data), parameters.name_of(recipe, parameter), text="")
+        elif isinstance(parameter.default, bool):
+            row.prop(parameters.of(data), name)
         else:
-            row.prop(parameters.of(data), parameters.name_of(recipe, parameter))
+            fields.number(row.column(align=True), parameters.of(data), name)
         if parameter.numbers:
             _draw_list(column, data, recipe, parameter, is_net_out)
     if recipe.has_more:
@@ -205,8 +196,9 @@ def _draw_list(layout, data, recipe, parameter, is_net_out):
     group = parameters.of(data)
     grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
     grid.enabled = not is_net_out
+    letter = 'v' if parameter.name.endswith('_v') else 'u'
     for i in parameters.numbers_in(getattr(group, parameters.name_of(recipe, parameter)), parameter.numbers):
-        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=say(f"u{i}"))
+        grid.prop(group, parameters.list_name_of(recipe, parameter), index=i, text=say(f"{letter}{i}"))
 
 
 CLASSES = (SplinewrightInput, SplinewrightRecipe)

@@ -49,7 +49,7 @@ class _TolerancePanel:
     def draw(self, context):
         layout, scene = self.layout, context.scene
         chosen = scene_tolerance.settings(scene)
-        layout.row().prop(chosen, "by", expand=True)
+        layout.column().prop(chosen, "by", expand=True)
         if chosen.by == OWN:
             layout.prop(chosen, "own")
         else:

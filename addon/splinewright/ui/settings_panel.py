@@ -8,7 +8,7 @@ from ..bridge.data import problems, store, tessellate
 from ..bridge.net import keyed
 from ..bridge.recipes import recipes
 from ..core.base.words import phrase, say
-from . import active_shape, texts
+from . import active_shape, fields, texts
 from .sub_panel import SidePanel
 
 
@@ -32,15 +32,15 @@ def draw(layout, data, definition, has_buttons=True):
     settings = data.splinewright
     column = layout.column(align=True)
     if definition.has_curves:
-        column.prop(settings, "mode", text="Pieces")
+        fields.choice(column, settings, "mode", "Pieces")
         if settings.mode == tessellate.COUNT:
-            column.prop(settings, "resolution_u", text="Resolution")
+            fields.number(column, settings, "resolution_u", "Resolution")
         _draw_limits(column, settings)
         if definition.runs_to_infinity or _is_endless(data):
-            column.prop(settings, "reach")
+            fields.number(column, settings, "reach")
     else:
         _draw_fineness(column, settings, has_buttons)
-        layout.prop(settings, "sharp_angle")
+        fields.number(layout, settings, "sharp_angle")
         column = layout.column(align=True)
         column.label(text=say(phrase("{count:,} vertices", count=len(data.vertices))))
         column.label(text=say(_faces(data)))
@@ -63,10 +63,10 @@ def _is_endless(data):
 
 
 def _draw_fineness(column, settings, has_buttons):
-    column.prop(settings, "mode")
+    fields.choice(column, settings, "mode")
     if settings.mode == tessellate.COUNT:
-        column.prop(settings, "resolution_u")
-        column.prop(settings, "resolution_v")
+        fields.number(column, settings, "resolution_u")
+        fields.number(column, settings, "resolution_v")
     _draw_limits(column, settings, has_buttons)
 
 
@@ -79,7 +79,7 @@ def _draw_limits(column, settings, has_buttons=False):
             button.enabled = bpy.context.scene.camera is not None
             button.operator("splinewright.tolerance_from_render", text="", icon='RESTRICT_RENDER_OFF')
     if settings.mode in (tessellate.ANGLE, tessellate.BOTH):
-        column.prop(settings, "angle")
+        fields.number(column, settings, "angle")
 
 
 def _faces(data):

@@ -93,9 +93,8 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
 
 def _draw_groups(layout, made):
     for label, names in made:
-        row = layout.split(factor=0.3)
-        row.label(text=say(label))
-        column = row.column(align=True)
+        column = layout.column(align=True)
+        column.label(text=say(label))
         for name in names:
             column.operator(f"splinewright.{name}", text=say(offered.text_of(name)))
 

@@ -27,7 +27,7 @@ def draw_settings(tool, layout, properties, is_of_patches):
         setting = properties.bl_rna.properties[name]
         is_choice = setting.type == 'ENUM'
         if is_choice:
-            layout.label(text=say(f"{setting.name}:"))
+            layout.label(text=f"{say(setting.name)}:")
         layout.row().prop(properties, name, expand=is_choice)
 
 

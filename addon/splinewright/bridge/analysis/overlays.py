@@ -1,7 +1,8 @@
 """What the switches of the scene show of shapes, worked out when a shape or a number of the switch changes."""
 
-from ...core.analysis import combs, faces, frames, labels, lines, polygon
+from ...core.analysis import combs, faces, frames, lines, polygon, scales
 from ...core.base.failures import FAILURES
+from ...core.formulas import labels
 from ...core.shape import definition as definitions
 from ...core.shape import sewing
 from ...core.verbs import knot_strip, verbs
@@ -39,8 +40,13 @@ def polygon_of(data):
 
 
 def labels_of(data):
-    """The core.analysis.labels.Labels of a definition."""
+    """The core.formulas.labels.Labels of a definition."""
     return labels.of(store.read(data))
+
+
+def axes_of(data):
+    """The core.analysis.scales.Scale of a definition."""
+    return scales.of(store.read(data))
 
 
 def curves_of(data):

@@ -226,9 +226,9 @@ def require_fitting(data, definition):
     """Raises WrongKind unless the data-block can show the definition. Texts and surfaces are Curves, too."""
     shows_curves, shows_patches = type(data) is bpy.types.Curve, type(data) is bpy.types.Mesh
     if definition.has_curves and not shows_curves:
-        raise WrongKind("{name} is {what}: curves are shown by a curve object", name=data.name, what=_NOUNS.get(type(data), 'no curve'))
+        raise WrongKind("{name} is {what}: curves are shown by a curve object", name=data.name, what=_NOUNS.get(type(data), "no curve"))
     if not definition.has_curves and not shows_patches:
-        raise WrongKind("{name} is {what}: patches are shown by a mesh", name=data.name, what=_NOUNS.get(type(data), 'no mesh'))
+        raise WrongKind("{name} is {what}: patches are shown by a mesh", name=data.name, what=_NOUNS.get(type(data), "no mesh"))
 
 
 def decoded(group):

@@ -14,6 +14,9 @@ from ..recipes import placing, recipes
 from ..shape import recipe_edit, shape
 
 _CURES = "Restore throws the changes away, Detach keeps them"
+_ANIMATED = {'location': "its location is animated: the keys or drivers would move the shape away again",
+             'rotation': "its rotation is animated: the keys or drivers would move the shape away again",
+             'scale': "its scale is animated: the keys or drivers would move the shape away again"}
 
 
 def apply(ob, location, rotation, scale):
@@ -47,10 +50,10 @@ def apply(ob, location, rotation, scale):
 
 def _require_still(ob, location, rotation, scale):
     """Raises Refusal where keys or drivers would put back the part that is taken out."""
-    for name, is_taken in (('location', location), ('rotation', rotation), ('scale', scale)):
+    for (name, words), is_taken in zip(_ANIMATED.items(), (location, rotation, scale)):
         # "rotation_euler", "delta_location", but nothing of a pose's bones or a modifier
         if is_taken and any(path.removeprefix("delta_").startswith(name) for path in animation.paths(ob)):
-            raise Refusal("its {name} is animated: the keys or drivers would move the shape away again", name=name)
+            raise Refusal(words)
 
 
 def _require_no_keys(data):

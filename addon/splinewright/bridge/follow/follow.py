@@ -171,7 +171,7 @@ def _in_space(data, wanted, depsgraph):
     owner, inputs = updating.owner_of(data, updating.Turn(depsgraph)), (*wanted.sources, *wanted.frames)
     if None in inputs:
         raise Refusal("{missing}: it stays as it was last",
-                      missing=_missing(data, updating.in_use()) or 'an object it is made from was deleted')
+                      missing=_missing(data, updating.in_use()) or "an object it is made from was deleted")
     if owner is None:
         raise Refusal("it is in no scene: it stays as it was last")
     return owner, inputs

@@ -82,6 +82,14 @@ def set_material(mesh, piece, index):
     mesh.update()
 
 
+def set_materials(mesh, indices):
+    """Give the faces of each patch its material index, one after the other."""
+    patches = _patches(mesh)
+    if patches is not None:
+        mesh.polygons.foreach_set('material_index', np.array(indices, np.int32)[patches])
+        mesh.update()
+
+
 def shaded_normals(mesh, normals):
     """Corner normals (c, 3) with those of flat faces in place of the exact ones. The mesh is up to date."""
     smooth = np.empty(len(mesh.polygons), bool)

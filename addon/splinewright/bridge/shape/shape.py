@@ -10,12 +10,13 @@ from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
 from ...core.net.handles import fitting
 from ...core.shape import definition as definitions
-from ..curve import curve_layers, handles, piece_materials, write_curve
+from ..curve import curve_layers, handles, write_curve
 from ..data import blocks, held, problems, settings, store, tessellate
 from ..data.file_state import key, state
 from ..keys import keyed_seams, point_keys
 from ..mesh import mesh_layers, stamp, write_mesh
 from ..recipes import recipes
+from . import piece_materials
 
 
 def file_of(ob):
@@ -225,8 +226,9 @@ def evaluated(data, definition, around=None, faces=None, has_faces=False):
     names = [piece.name for piece in definition.pieces]
 
     def write():
+        stays = write_mesh.write(data, tessellation, positions, normals, sharp, is_there)
         piece_materials.show_faces(data, names)
-        if write_mesh.write(data, tessellation, positions, normals, sharp, is_there):
+        if stays:
             return stamp.of_faces(data, tessellation, positions)
     return Picture(positions, write, tessellation)
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..base import decimals
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import definition as definitions
 from ..shape import transform
 from ..verbs import verbs
@@ -177,7 +178,7 @@ def place(piece, parameters):
         principal = bend["Curvature min"], bend["Curvature max"]
         radii = [1.0 / number if number else np.inf for number in principal]
         rows = [("Normal", arms[-1]), ("Curvatures", principal), ("Radii", radii)]
-    words = (f"{name} {', '.join(decimals.text_of(number, _DIGITS) for number in shown(numbers))}"
+    words = (phrase("{name} {numbers}", name=phrase(name), numbers=", ".join(decimals.text_of(number, _DIGITS) for number in shown(numbers)))
              for name, numbers in (("Point", point), *rows))
     return Place(point, tuple(arms), (at, *words))
 

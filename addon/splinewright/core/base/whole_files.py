@@ -1,11 +1,14 @@
 """Files that are never half written."""
 
 
-def write(path, text, encoding='utf-8'):
-    """Write a text file. One that is there stays whole until the new one is. Raises OSError."""
+def write(path, content, encoding='utf-8'):
+    """Write a file of a text, or of bytes. One that is there stays whole until the new one is. Raises OSError."""
     partial = path.with_name(f"{path.name}.part")
     try:
-        partial.write_text(text, encoding=encoding)
+        if isinstance(content, bytes):
+            partial.write_bytes(content)
+        else:
+            partial.write_text(content, encoding=encoding)
         partial.replace(path)
     finally:
         partial.unlink(missing_ok=True)

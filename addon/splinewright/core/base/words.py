@@ -5,7 +5,7 @@ with {count} has as many forms as the language has for that number. What was put
 recognized by the patterns of the catalog.
 """
 
-from functools import lru_cache
+from functools import lru_cache, reduce
 
 
 class Phrase(str):
@@ -27,6 +27,11 @@ def phrase(pattern, /, one="", **arguments):
     arguments = {name: _text_of(value) if isinstance(value, BaseException) else value for name, value in arguments.items()}
     chosen = one if one and arguments.get('count') == 1 else pattern
     return Phrase(chosen.format(**arguments) if arguments else chosen, pattern, one, arguments)
+
+
+def listed(sentences, between=", "):
+    """One Phrase of some, each of which is translated by itself."""
+    return reduce(lambda before, more: phrase("{before}" + between + "{more}", before=before, more=more), sentences)
 
 
 def _text_of(error):

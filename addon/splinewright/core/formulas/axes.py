@@ -22,12 +22,12 @@ def picture(ranges, steps, tick, has_grid):
     parts = _grid(ranges, ticks, base) if has_grid else []
     for axis, limits in enumerate(ranges):
         parts.append(Part(AXIS, line(*(_at(base, axis, end) for end in limits))))
-        across = 1 if axis == 0 else 0
+        across, digits = 1 if axis == 0 else 0, _digits(ticks[axis], steps[axis])
         for value in ticks[axis]:
             place = _at(base, axis, value)
             if axis > 0 and value == base[axis] and base[0] in ticks[0]:
                 continue                # the first axis has a tick where they cross
-            parts.append(Part(f"{TICK} {value:.6g}", line(_at(place, across, place[across] - tick), place)))
+            parts.append(Part(f"{TICK} {value:.{digits}g}", line(_at(place, across, place[across] - tick), place)))
     return parts
 
 
@@ -40,6 +40,12 @@ def _multiples(limits, step, name):
     if high - low >= MOST:
         raise Refusal("{name} has {count} ticks: {most} are the most", name=name, count=high - low + 1, most=MOST)
     return np.arange(low, high + 1) * step + 0.0
+
+
+def _digits(values, step):
+    """How many tell each multiple of a step from the next one, also far from 0."""
+    largest = np.abs(values).max(initial=0.0)
+    return 6 if largest == 0.0 else min(17, max(6, math.floor(math.log10(largest)) - math.floor(math.log10(step)) + 2))
 
 
 def _grid(ranges, ticks, base):

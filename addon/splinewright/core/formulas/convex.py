@@ -56,15 +56,15 @@ def hull(points, near=0.0):
 
 def intersection(one, other):
     """The Hull of what two Hulls have in common; None where that is nothing."""
-    corners = one.corners
+    if one.rank > other.rank:
+        one, other = other, one
     near = FLAT * max(np.ptp(one.corners, axis=0).max(), np.ptp(other.corners, axis=0).max())
+    polygons = [one.corners[list(face)] for face in one.faces] or [one.corners]
     for normal, offset in zip(other.normals, other.offsets):
-        corners = _clipped(corners, corners @ normal - offset, near)
-        if not len(corners):
+        polygons = _cut(polygons, normal, offset, near, one.rank == 3)
+        if not polygons:
             return None
-        if len(corners) > 24:
-            corners = hull(corners, 2.0 * near).corners
-    return hull(corners, 2.0 * near)
+    return hull(np.concatenate(polygons), 2.0 * near)
 
 
 def _hull(rank, corners, faces, normals, points):
@@ -72,13 +72,38 @@ def _hull(rank, corners, faces, normals, points):
     return Hull(rank, corners, faces, normals, (points @ normals.T).max(axis=0))
 
 
-def _clipped(corners, outside, near):
-    """Points whose hull is what the hull of corners has where it is not outside."""
-    stay, leave = outside <= near, outside > near
-    inner, outer = np.flatnonzero(outside < 0.0), np.flatnonzero(leave)
-    share = outside[inner, None] / (outside[inner, None] - outside[None, outer])
-    met = corners[inner, None] + share[..., None] * (corners[None, outer] - corners[inner, None])
-    return np.concatenate([corners[stay], met.reshape(-1, 3)])
+def _cut(polygons, normal, offset, near, is_solid):
+    """The parts of the polygons of a hull on one side of a plane, with the polygon in that where the hull is solid."""
+    outside = [polygon @ normal - offset for polygon in polygons]
+    if all((each <= near).all() for each in outside):
+        return polygons
+    left = [found for polygon, each in zip(polygons, outside) if len(found := _clipped(polygon, each, near))]
+    if is_solid and left:
+        points = np.concatenate(left)
+        on_plane = points[points @ normal - offset >= -near]
+        if len(on_plane):
+            left.append(_around(_apart(on_plane, near), normal))
+    return left
+
+
+def _clipped(polygon, outside, near):
+    """The part of a convex polygon, a segment or a point that is not outside."""
+    found = []
+    for i, here in enumerate(outside):
+        if here <= near:
+            found.append(polygon[i])
+        following = (i + 1) % len(outside)
+        low, high = sorted((here, outside[following]))
+        if low < 0.0 and high > near:
+            found.append(polygon[i] + here / (here - outside[following]) * (polygon[following] - polygon[i]))
+    return np.array(found).reshape(-1, 3)
+
+
+def _around(points, normal):
+    """Points of a plane in the order in which they lie around their middle."""
+    away = points - points.mean(axis=0)
+    first = away[np.linalg.norm(away, axis=1).argmax()]
+    return points[np.argsort(np.arctan2(away @ np.cross(normal, first), away @ first), kind='stable')]
 
 
 def _apart(points, near):

@@ -4,6 +4,7 @@ A family knows the graph of any combination of its functions: (u, value, 0) as c
 Lagrange and natural splines within rounding.
 """
 
+from itertools import pairwise
 from typing import Callable, NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ from ..base.library import sc
 #: Most functions of a family.
 MOST = 1000
 #: What the parts of a picture that are no functions are called.
-AXIS, TICK, SUM = "axis", "tick", "sum"
+AXIS, TICK, SUM, DOMAIN = "axis", "tick", "sum", "domain"
 
 
 class Family(NamedTuple):
@@ -25,6 +26,7 @@ class Family(NamedTuple):
     graph: Callable                     # (coefficients (n,)) -> curves (u, value, 0) over all of its interval
     supports: Callable                  # (number) -> the intervals (first, last) on which a function is not zero
     is_point: tuple = ()                # whether each function weighs a point: those add up to 1; () for all
+    domain: tuple | None = ()           # (first, last) where they add up to 1; () for all of the interval, None for nowhere
 
 
 class Part(NamedTuple):
@@ -42,7 +44,8 @@ def of_knots(degree, knots):
     names = tuple(f"N_{{{i},{degree}}}" for i in range(count))
 
     graph = _steps(knots) if degree == 0 else _splines(degree, knots)
-    return Family(names, np.unique(knots), graph, lambda i: _interval(knots[i], knots[i + degree + 1]))
+    domain = (knots[degree], knots[count]) if knots[degree] < knots[count] else None
+    return Family(names, np.unique(knots), graph, lambda i: _interval(knots[i], knots[i + degree + 1]), domain=domain)
 
 
 def of_curve(curve):
@@ -175,20 +178,21 @@ def _require_nodes(nodes, least):
     return nodes
 
 
-def picture(family, show, width, height, has_axes):
+def picture(family, show, width, height, has_axes, has_domain=False):
     """The Parts of a picture of a family: the functions, 'sum' with their sum, 'stacked' each upon the sum of those before.
 
-    The interval is as wide as `width`, the value 1 as high as `height`; it begins at 0. Raises Refusal where nothing is to be seen.
+    The interval is as wide as `width`, the value 1 as high as `height`; it begins at 0. has_domain: whether there is a rectangle on the
+    part where functions add up to 1. Raises Refusal where nothing is to be seen.
     """
     shown = _stacked(family) if show == 'stacked' else _single(family)
     if show == 'sum':
-        shown += [Part(SUM, curve) for curve in family.graph(_of_points(family))]
+        shown += [Part(SUM, curve) for curve in family.graph(of_points(family))]
     if not shown:
         raise Refusal("all functions are zero: their knots coincide")
     start = family.places[0]
     scale = width / (family.places[-1] - start)
-    graphs = [Part(name, _placed(curve, start, scale, height)) for name, curve in shown]
-    return graphs + (_axes(family.places, scale, height) if has_axes else [])
+    graphs = [Part(name, placed(curve, start, scale, height)) for name, curve in shown]
+    return graphs + (_domain(family, scale, height) if has_domain else []) + (_axes(family.places, scale, height) if has_axes else [])
 
 
 def zero_functions(family):
@@ -196,15 +200,19 @@ def zero_functions(family):
     return [name for i, name in enumerate(family.names) if not family.supports(i)]
 
 
+def graphs_of(family, number):
+    """The curves (u, value, 0) of one function, where it is not zero."""
+    unit = np.eye(len(family.names))[number]
+    return [part for support in family.supports(number) for curve in family.graph(unit) for part in _within(curve, *support)]
+
+
 def _single(family):
-    units = np.eye(len(family.names))
-    return [Part(name, part) for i, name in enumerate(family.names) for support in family.supports(i)
-            for curve in family.graph(units[i]) for part in _within(curve, *support)]
+    return [Part(name, part) for i, name in enumerate(family.names) for part in graphs_of(family, i)]
 
 
 def _stacked(family):
     """Of functions that weigh points."""
-    wanted, upto, shown = _of_points(family), np.zeros(len(family.names)), []
+    wanted, upto, shown = of_points(family), np.zeros(len(family.names)), []
     for i, name in enumerate(family.names):
         upto[i] = wanted[i]
         if wanted[i] and family.supports(i):
@@ -212,7 +220,8 @@ def _stacked(family):
     return shown
 
 
-def _of_points(family):
+def of_points(family):
+    """(n,): 1 for each function that weighs a point, 0 for others."""
     return np.array(family.is_point or [True] * len(family.names), dtype=np.float64)
 
 
@@ -223,6 +232,14 @@ def _within(curve, first, last):
     if first >= last:
         return []
     return [curve if (first, last) == (start, end) else curve.part(first, last)]
+
+
+def _domain(family, scale, height):
+    if family.domain is None:
+        return []
+    first, last = ((u - family.places[0]) * scale for u in family.domain or family.places[[0, -1]])
+    corners = [(first, 0.0), (first, height), (last, height), (last, 0.0), (first, 0.0)]
+    return [Part(DOMAIN, line(*leg)) for leg in pairwise(corners)]
 
 
 def _axes(places, scale, height):
@@ -236,7 +253,8 @@ def _axes(places, scale, height):
     return [Part(AXIS, one) for one in axes] + [Part(f"{TICK} {number:.6g}", one) for number, one in ticks]
 
 
-def _placed(curve, start, scale, height):
+def placed(curve, start, scale, height):
+    """A graph that begins at 0 instead of a start, as many times as wide and as high."""
     points = curve.points.copy()
     points[:, 0] = (points[:, 0] - start) * scale
     points[:, 1] *= height

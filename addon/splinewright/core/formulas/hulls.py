@@ -1,6 +1,6 @@
 """Convex hulls of the control points of curves and patches, and what neighboring ones have in common (S12, S13)."""
 
-from itertools import product
+from itertools import combinations, pairwise, product
 
 import numpy as np
 
@@ -10,6 +10,8 @@ from .functions import Part
 
 #: Most hulls of a picture, and most points of one.
 MOST, MOST_POINTS = 300, 2000
+#: Most intersections.
+MOST_PAIRS = 600
 
 
 def groups(shapes, by_spans):
@@ -24,18 +26,34 @@ def groups(shapes, by_spans):
     return found
 
 
-def picture(found, show, radius, closed):
-    """(the Parts "hull 0", "hull 1", …, and "intersection" of each with the next; a warning or ""). show: 'hulls',
-    'intersections' or 'both'; radius: of crosses where something is a point; closed: for each of the groups whether its last hull is followed
-    by the first. Raises Refusal where nothing is drawn."""
+def neighbors(shapes, found, by_spans):
+    """For each of groups() the pairs of its hulls that are neighbors: of spans that meet; of whole shapes see whole()."""
+    return [_neighboring_spans(shape.to_nurbs(), len(each)) if by_spans else [] for shape, each in zip(shapes, found)]
+
+
+def whole(found, are_curves):
+    """(groups() of whole shapes as one group, its pairs of neighbors): each curve and the next one, patches that share a border."""
+    rows = [each[0] for each in found]
+    if are_curves:
+        return [rows], [[*pairwise(range(len(rows)))]]
+    points = [set(map(tuple, each.tolist())) for each in rows]
+    return [rows], [[(i, j) for i, j in combinations(range(len(rows)), 2) if len(points[i] & points[j]) > 1]]
+
+
+def picture(found, show, radius, neighboring):
+    """(the Parts "hull 0", "hull 1", …, and "intersection" of neighbors; a warning or ""). show: 'hulls', 'intersections' or
+    'both'; radius: of crosses where something is a point; neighboring: for each of the groups the pairs of hulls that are neighbors. Raises
+    Refusal where nothing is drawn."""
     hulls = [[_hull(rows) for rows in rows_of_one] for rows_of_one in found]
     shown = []
     if show != 'intersections':
         numbered = enumerate(one for each in hulls for one in each)
         shown += [part for i, one in numbered if one is not None for part in _drawn(f"hull {i}", one, radius)]
     if show != 'hulls':
-        pairs = [pair for each, is_closed in zip(hulls, closed) for pair in _neighbors(each, is_closed) if None not in pair]
-        common = [convex.intersection(*pair) for pair in pairs]
+        pairs = [(each[i], each[j]) for each, numbers in zip(hulls, neighboring) for i, j in numbers]
+        if len(pairs) > MOST_PAIRS:
+            raise Refusal("these are {count} pairs of neighboring hulls: {most_pairs} are the most", count=len(pairs), most_pairs=MOST_PAIRS)
+        common = [convex.intersection(*pair) for pair in pairs if None not in pair]
         shown += [part for one in common if one is not None for part in _drawn("intersection", one, radius)]
     if not shown:
         why = "no two neighboring hulls have a point in common" if show == 'intersections' else "all hulls are points: a marker with a radius shows them"
@@ -67,8 +85,19 @@ def _hull(rows):
     return convex.hull(finite[:, :3] / finite[:, 3:]) if len(finite) else None
 
 
-def _neighbors(hulls, is_closed):
-    return [*zip(hulls, hulls[1:])] + ([(hulls[-1], hulls[0])] if is_closed and len(hulls) > 2 else [])
+def _neighboring_spans(shape, count):
+    """Pairs of numbers: along a curve, along both parameters of a patch."""
+    if shape.homogeneous_points.ndim == 2:
+        return _in_row(range(count), shape.periodic)
+    unrolled = shape.unrolled()
+    across = len(_spans(unrolled.knots[1], unrolled.degree[1]))
+    numbers = np.arange(count).reshape(-1, across)
+    return [pair for rows, is_closed in ((numbers.T, shape.periodic[0]), (numbers, shape.periodic[1])) for row in rows for pair in _in_row(row, is_closed)]
+
+
+def _in_row(numbers, is_closed):
+    numbers = [int(number) for number in numbers]
+    return [*pairwise(numbers)] + ([(numbers[-1], numbers[0])] if is_closed and len(numbers) > 2 else [])
 
 
 def _drawn(name, one, radius):

@@ -12,6 +12,8 @@ from ..base.library import sc
 from .functions import Part
 
 MARK, ARROW = "mark", "arrow"
+#: Letters that are drawn beside something are called by this and what that is called.
+TEXT = "text"
 #: Of an arrow, how long its head is and how far it reaches to each side.
 _HEAD, _BARB = 0.15, 0.05
 #: Largest number of a ratio that is written in whole numbers.
@@ -53,9 +55,15 @@ def named(name):
 
 
 def group_of(name):
-    """What has one color: of marks and arrows all of a letter, else the name itself."""
+    """What has one color: of marks and arrows all of a letter, else the name itself. Letters have that of what they stand beside."""
+    name = of_text(name)
     kind = name.partition(" ")[0]
     return f"{kind} {named(name)[0]}" if kind in (MARK, ARROW) else name
+
+
+def of_text(name):
+    """What letters stand beside, where a name is one of letters, else the name."""
+    return name.removeprefix(f"{TEXT} ")
 
 
 def place_of(name, points):

@@ -26,6 +26,13 @@ def curve_of(definition, piece):
     return piece_of(definition, piece)
 
 
+def patch_of(definition, piece):
+    """A patch of a definition; pieces are counted from 1. Raises Refusal where there is none."""
+    if definition.has_curves:
+        raise Refusal("it is made of curves: a surface is needed")
+    return piece_of(definition, piece)
+
+
 def piece_of(definition, piece):
     """A curve or patch of a definition; pieces are counted from 1. Raises Refusal where there is none."""
     if piece > len(definition.pieces):

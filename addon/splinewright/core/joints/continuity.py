@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..base.library import sc
+from ..base.words import phrase
 from ..shape import parameters
 from ..verbs import verbs
 from . import joints
@@ -38,7 +39,7 @@ class Survey(NamedTuple):
 def in_words(measured, degree):
     """Parametric and geometric continuity in one word, where this number of derivatives is all."""
     if measured.c < 0:
-        return "gap"
+        return phrase("gap")
     return "C∞" if measured.c >= degree else f"C{measured.c} G{measured.g}"
 
 
@@ -67,8 +68,8 @@ class _Inside(NamedTuple):
     def joint(self, curves):
         nurbs = curves[self.piece].to_nurbs()
         is_seam = self.u is None or self.u == nurbs.domain[0]
-        where = "seam" if is_seam else f"{self.u:.4g}"
-        name = f"{self.piece + 1}: {where}" if len(curves) > 1 else where
+        where = phrase("seam") if is_seam else f"{self.u:.4g}"
+        name = phrase("{number}: {where}", number=self.piece + 1, where=where) if len(curves) > 1 else where
         sides = ('end', 'start') if is_seam else (float(self.u), float(self.u))
         return _measured(name, nurbs.degree, [(self.piece, side) for side in sides], lambda: _at(nurbs, self.u))
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from ..base.library import sc
 from ..base.words import phrase
+from ..verbs import patch_curves
 from . import held as all_held
 from . import held_strips
 
@@ -63,7 +64,7 @@ def _name(held):
     (piece, place), (other, other_place) = held.first, held.second
     if held.first == held.second:
         return phrase("the knot {place:.4g} of curve {piece}", place=place, piece=piece + 1)
-    return f"{piece + 1} {place.replace('_', ' ')} · {other + 1} {other_place.replace('_', ' ')}"
+    return phrase("{first} · {second}", first=patch_curves.named_side(place, piece + 1), second=patch_curves.named_side(other_place, other + 1))
 
 
 class _Work:

@@ -7,6 +7,7 @@ import numpy as np
 from ..base.library import sc
 from ..base.words import phrase
 from ..shape import definition as definitions
+from ..verbs import patch_curves
 from .continuity import in_words as continuity_in_words
 from .continuity import Joint, Survey
 from .creases import creases_of
@@ -97,9 +98,10 @@ def _measured(patch_set, first, second):
 
 
 def _name_of(crease, is_one):
-    return ("" if is_one else f"{crease.patch + 1} ") + phrase("crease {axis} {knot:.4g}", axis=crease.axis, knot=crease.knot)
+    words = phrase("crease {axis} {knot:.4g}", axis=crease.axis, knot=crease.knot)
+    return words if is_one else phrase("{number} {words}", number=crease.patch + 1, words=words)
 
 
 def _name(seam, is_one):
-    return " · ".join(side.replace('_', ' ') if is_one else f"{patch + 1} {side.replace('_', ' ')}"
-                      for patch, side in (seam.first, seam.second))
+    first, second = (patch_curves.named_side(side, None if is_one else patch + 1) for patch, side in (seam.first, seam.second))
+    return phrase("{first} · {second}", first=first, second=second)

@@ -1,8 +1,8 @@
 """What a step of a lesson speaks of, and the answer to its question in words."""
 
-from ..base.words import phrase
+from ..base.words import listed, phrase
 from .lesson import Measure
-from .measures import measured
+from .measure_words import named, number
 
 
 def spoken_of(steps):
@@ -37,8 +37,8 @@ def answer(step, shapes):
 
 
 def _deed(ask, shapes):
-    found = [phrase("{measure} is {value}", measure=_named(one.measure, shapes), value=_number(one.measure, shapes)) for one in ask.conditions]
-    return phrase("The solution is made: {found}", found=", ".join(found))
+    found = [phrase("{measure} is {value}", measure=named(one.measure, shapes), value=number(one.measure, shapes)) for one in ask.conditions]
+    return phrase("The solution is made: {found}", found=listed(found))
 
 
 def _points(ask, _shapes):
@@ -53,22 +53,5 @@ def _choice(ask, _shapes):
 
 
 _SAID = {
-    'do': _deed, 'number': lambda ask, shapes: phrase("The answer is {value}", value=_number(ask.value, shapes)),
+    'do': _deed, 'number': lambda ask, shapes: phrase("The answer is {value}", value=number(ask.value, shapes)),
     'choose': _choice, 'point': _points}
-
-
-def _number(value, shapes):
-    return f"{(measured(value, shapes) if isinstance(value, Measure) else value) + 0.0:.4g}"
-
-
-def _named(measure, shapes):
-    """A Measure in words: weight of point 1 of arc."""
-    given, words = measure.arguments, measure.kind.replace("_", " ")
-    if measure.kind == 'setting':
-        words = given['name'].replace("_", " ")
-    elif 'index' in given:
-        kind = "knot" if measure.kind == 'knot' else "function" if measure.kind == 'basis' else "point"
-        words = f"{kind} {given['index']}" if kind == "knot" else f"{words.removeprefix('point ')} of {kind} {given['index']}"
-    places = ", ".join(_number(given[name], shapes) for name in ('at', 'at_v') if name in given)
-    return "".join((words, f" of {measure.shape}", f", piece {given['piece']}," if 'piece' in given else "",
-                    f" to {given['to']}" if 'to' in given else "", f" at {places}" if places else ""))

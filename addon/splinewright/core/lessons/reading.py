@@ -118,7 +118,7 @@ def _made_by_recipe(found, name, known):
     inputs = tuple(_shape(one, known) for one in _list(found, 'of'))
     if not RECIPES[recipe].takes(len(inputs)):
         found['recipe'].fail("it is made from {wanted}, not from {count}",
-                             wanted=RECIPES[recipe].wanted or 'no shapes', count=len(inputs))
+                             wanted=RECIPES[recipe].wanted or "no shapes", count=len(inputs))
     points = _points(found['points'], recipe) if 'points' in found else ()
     at = _point(found['place']) if 'place' in found else (0.0, 0.0, 0.0)
     return Make(name, None, recipe, inputs, _settings(found.get('set'), recipe), points, _faces(found), at)

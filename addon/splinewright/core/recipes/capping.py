@@ -15,6 +15,7 @@ CHOICES = (("none", "None", "Both ends stay open"), ("start", "Start", "Close th
 PARAMETER = Parameter("caps", "Caps", "Which ends are closed; the normals of a closed surface point outward", "none",
                       choices=CHOICES)
 _ENDS = {'none': (), 'start': ('start',), 'end': ('end',), 'both': ('start', 'end')}
+_CLOSED = {'start': "the start is closed already", 'end': "the end is closed already"}
 
 
 def result(patches, caps, error=0.0, said="", cancel=None, warning=""):
@@ -32,7 +33,7 @@ def result(patches, caps, error=0.0, said="", cancel=None, warning=""):
             parts, bend = _closed(patches, chosen, [number, *inside], cancel)
         made += parts
         bends.append(bend)
-    told = [said, *(phrase("the {name} is closed already", name=name) for name in ('start', 'end') if name in left_open),
+    told = [said, *(phrase(words) for name, words in _CLOSED.items() if name in left_open),
             *bend_in_words(max(bends, default=0.0))]
     return of_patches(made, error, ", ".join(filter(None, told)), warning)
 

@@ -53,8 +53,12 @@ def _kochanek_bartels(points, tension, continuity, bias, parametrisation, closed
 _MOST_MISSED = 1e-3
 
 
+_AT_START = ("the derivative at the start has {count} numbers: it takes 3", "the derivative at the start has {count} number: it takes 3")
+_AT_END = ("the derivative at the end has {count} numbers: it takes 3", "the derivative at the end has {count} number: it takes 3")
+
+
 def _interpolating(points, degree, parametrisation, knots, closed, knot_values="", start_derivative="", end_derivative=""):
-    given = {} if closed else {'start': _vector(start_derivative, "start"), 'end': _vector(end_derivative, "end")}
+    given = {} if closed else {'start': _vector(start_derivative, _AT_START), 'end': _vector(end_derivative, _AT_END)}
     given = {name: vector for name, vector in given.items() if vector is not None}
     most = len(points) if closed else degree if knots == 'natural' else len(points) + len(given) - 1
     degree, parameters = min(degree, most), parametrisation
@@ -67,11 +71,11 @@ def _interpolating(points, degree, parametrisation, knots, closed, knot_values="
     return Result(curve, _if_seen(missed, points))
 
 
-def _vector(text, where):
-    """(3,) of a text; None of an empty one."""
+def _vector(text, refused):
+    """(3,) of a text; None of an empty one. refused: the patterns for counts of numbers that are not 3."""
     numbers = numbers_of(text)
     if numbers and len(numbers) != 3:
-        raise Refusal("the derivative at the {where} has {count} numbers: it takes 3", where=where, count=len(numbers))
+        raise Refusal(*refused, count=len(numbers))
     return np.array(numbers) if numbers else None
 
 

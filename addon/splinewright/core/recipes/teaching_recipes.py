@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from ..base.failures import Refusal
+from ..base.library import sc
 from ..base.words import phrase
 from ..formulas import axes, functions, teaching, triangle_picture
 from ..shape import definition as definitions
@@ -16,12 +17,12 @@ _SCHEME = Parameter("scheme", "Scheme", "Which points are shown", "de_boor", cho
     ("casteljau", "de Casteljau", "Of the Bezier curve in the span, homogeneous: it never breaks"),
     ("rational", "de Casteljau, rational", "Of the Bezier curve in the span, with weights in every step: "
      "it breaks where one is zero")))
-_FAMILY = Parameter("family", "Functions", "Which functions are drawn", "bspline", choices=(
+FAMILY = Parameter("family", "Functions", "Which functions are drawn", "bspline", choices=(
     ("bspline", "B-Spline", "Of a degree, on knots"), ("bernstein", "Bernstein", "The polynomials of Bezier curves"),
     ("hermite", "Hermite", "Cubic: of points and derivatives at nodes"), ("lagrange", "Lagrange", "Polynomials that are 1 at one node"),
     ("natural", "Natural Spline", "Cubic splines that are 1 at one node, straight at both ends")))
-_DEGREE = Parameter("degree", "Degree", "Of the functions", 2, 0, 9, where=("family", ("bspline", "bernstein")))
-_KNOTS = Parameter("knot_values", "Knots", "Knots or nodes between spaces; functions of degree p have p + 2 of them each", "0 1 2 3 4 5",
+DEGREE = Parameter("degree", "Degree", "Of the functions", 2, 0, 9, where=("family", ("bspline", "bernstein")))
+KNOTS = Parameter("knot_values", "Knots", "Knots or nodes between spaces; functions of degree p have p + 2 of them each", "0 1 2 3 4 5",
                    where=("family", ("bspline", "hermite", "lagrange", "natural")), numbers=32)
 _SHOW = Parameter("show", "Show", "How the functions are drawn", "functions", choices=(
     ("functions", "Functions", "Each function"), ("sum", "With Sum", "Each function, and the sum of those that weigh points"),
@@ -29,17 +30,19 @@ _SHOW = Parameter("show", "Show", "How the functions are drawn", "functions", ch
 _WIDTH = Parameter("width", "Width", "From the first to the last knot", 2.0, 1e-3, unit='LENGTH')
 _HEIGHT = Parameter("height", "Height", "Of the value 1", 1.0, unit='LENGTH')
 _AXES = Parameter("axes", "Axes", "Axes with a tick at every knot", True, before=False)
+_DOMAIN = Parameter("domain", "Domain", "A rectangle on the interval where all functions of each span are there: it is that of a curve", False)
 
 
-def _functions(points, family, degree, knot_values, show, width, height, axes):
-    return _picture(_family(family, degree, numbers_of(knot_values)), show, width, height, axes)
+def _functions(points, family, degree, knot_values, **drawn):
+    return _picture(family_of(family, degree, numbers_of(knot_values)), **drawn)
 
 
-def _basis(inputs, piece, show, width, height, axes):
-    return _picture(functions.of_curve(teaching.curve_of(inputs[0], piece)), show, width, height, axes)
+def _basis(inputs, piece, **drawn):
+    return _picture(functions.of_curve(teaching.curve_of(inputs[0], piece)), **drawn)
 
 
-def _family(name, degree, knots):
+def family_of(name, degree, knots):
+    """The Family that FAMILY names. Raises Refusal."""
     if name == 'bspline':
         return functions.of_knots(degree, knots)
     if name == 'bernstein':
@@ -47,10 +50,11 @@ def _family(name, degree, knots):
     return getattr(functions, name)(knots)
 
 
-def _picture(family, show, width, height, axes):
+def _picture(family, show, width, height, axes, domain):
     zero = functions.zero_functions(family)
-    said = phrase("zero everywhere: {zero}", zero=', '.join(zero)) if zero else ""
-    return of_parts(functions.picture(family, show, width, height, axes), said)
+    said = [phrase("zero everywhere: {zero}", zero=', '.join(zero))] if zero else []
+    said += ["there is no domain: no span has all its functions"] if domain and family.domain is None else []
+    return of_parts(functions.picture(family, show, width, height, axes, domain), "; ".join(said))
 
 
 def of_parts(parts, said="", warning=""):
@@ -59,6 +63,12 @@ def of_parts(parts, said="", warning=""):
         raise Refusal("nothing is drawn: choose parts to show, or a radius")
     drawn = definitions.from_value([part.curve for part in parts])
     return Result(definitions.named(drawn, [part.name for part in parts]), said=said, warning=warning)
+
+
+def of_surfaces(parts, said=""):
+    """The Result that is a picture of patches; none are joined."""
+    drawn = definitions.from_value(sc.PatchSet.from_patches([part.curve for part in parts], merge=False))
+    return Result(definitions.named(drawn, [part.name for part in parts]), said=said)
 
 
 def _construction(inputs, piece, position, scheme, marker, first_level, last_level):
@@ -118,7 +128,7 @@ _SCHEME_OF = (
     Parameter("marker", "Marker", "Radius of the marks", 0.03, 1e-6, unit='LENGTH'))
 TRIANGLE = Recipe(
     "triangle", "Triangle of Functions on Knots", "The scheme of Cox and de Boor: each B-spline function and the two that it is made of",
-    (replace(_DEGREE, description="Of the highest functions", where=()), replace(_KNOTS, where=()), *_SCHEME_OF), _triangle, resolution=1,
+    (replace(DEGREE, description="Of the highest functions", where=()), replace(KNOTS, where=()), *_SCHEME_OF), _triangle, resolution=1,
     thickness=0.004)
 AXES = Recipe(
     "axes", "Axes", "Axes with a tick at every step, and a grid, to be drawn beside curves and to render",
@@ -129,10 +139,10 @@ AXES = Recipe(
      Parameter("spatial", "Z Axis", "An axis of z, too", False)), _axes, resolution=1, thickness=0.005)
 FUNCTIONS = Recipe(
     "functions", "Basis Functions on Knots", "The graphs of B-spline, Bernstein, Hermite, Lagrange or natural spline functions, exact",
-    (_FAMILY, _DEGREE, _KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES), _functions, resolution=16, thickness=0.006)
+    (FAMILY, DEGREE, KNOTS, _SHOW, _WIDTH, _HEIGHT, _AXES, _DOMAIN), _functions, resolution=16, thickness=0.006)
 RECIPES = (
     Recipe("basis", "Basis Functions", "The graphs of the basis functions of a curve, exact; they follow when its knots change",
-           (_WIDTH, _HEIGHT, PIECE, _SHOW, _AXES), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
+           (_WIDTH, _HEIGHT, PIECE, _SHOW, _AXES, _DOMAIN), _basis, resolution=16, thickness=0.006, inputs=(wanted.ONE_CURVE,), is_beside=True),
     Recipe("construction", "Construction of a Point",
            "The polygons by which a point of a curve is found; they follow when the curve is edited",
            (Parameter("position", "Position", "0 is the start of the curve, 1 its end", 0.5, 0.0, 1.0), _SCHEME,

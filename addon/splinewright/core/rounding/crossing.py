@@ -12,6 +12,15 @@ _SAME = 1e-6
 #: How finely they are met, as a part of the size.
 _FINE = 1e-8
 _PLACES = np.linspace(0.0, 1.0, 17)[1:-1]
+#: What is refused of each of two surfaces.
+_ACROSS = {'first': "the surfaces cross, but not along a line of u or v of the first one, which would have to be trimmed",
+           'second': "the surfaces cross, but not along a line of u or v of the second one, which would have to be trimmed"}
+_PARTLY = {'first': "the surfaces cross along a part of a line of the first one, not from side to side: it would have to be trimmed",
+           'second': "the surfaces cross along a part of a line of the second one, not from side to side: it would have to be trimmed"}
+_CLOSED = {'first': "the first surface is closed across where they cross: cut it open there first",
+           'second': "the second surface is closed across where they cross: cut it open there first"}
+_CUT = {'first': "the first surface is cut across {axis}: its side is {axis} start or {axis} end",
+        'second': "the second surface is cut across {axis}: its side is {axis} start or {axis} end"}
 
 
 class Cut(NamedTuple):
@@ -39,7 +48,7 @@ def cut_back(first, second, first_side, second_side, cancel=None):
         raise Refusal("the surfaces cross in a closed curve inside one of them, and would have to be trimmed")
     ends = curve.evaluate(np.array([start, end]))
     kept = [_kept(patch.to_nurbs(), points, ends, side, name)
-            for patch, side, name in ((first, first_side, "first"), (second, second_side, "second"))]
+            for patch, side, name in ((first, first_side, 'first'), (second, second_side, 'second'))]
     return Cut(*kept[0], *kept[1])
 
 
@@ -51,23 +60,20 @@ def _kept(patch, points, ends, side, name):
     spread = np.ptp(parameters, axis=0) / lengths
     level = int(np.argmin(spread))
     if not spread[level] <= _SAME:
-        raise Refusal("the surfaces cross, but not along a line of u or v of the {name} one, which would have to be trimmed",
-                      name=name)
+        raise Refusal(_ACROSS[name])
     reached = np.sort(patch.nearest(ends).parameters[:, 1 - level])
     if not patch.periodic[1 - level] and np.abs(reached - domain[1 - level]).max() > _SAME * lengths[1 - level]:
-        raise Refusal("the surfaces cross along a part of a line of the {name} one, not from side to side: it would have to be "
-                      "trimmed",
-                      name=name)
+        raise Refusal(_PARTLY[name])
     axis, at = 'uv'[level], float(np.median(parameters[:, level]))
     for end, limit in zip(('start', 'end'), domain[level]):
         if abs(at - limit) <= _SAME * lengths[level] and not patch.periodic[level]:
             return patch, f"{axis}_{end}"
     if patch.periodic[level]:
-        raise Refusal("the {name} surface is closed across where they cross: cut it open there first", name=name)
+        raise Refusal(_CLOSED[name])
     before, behind = patch.split(axis, at)
     parts = {f"{axis}_end": before, f"{axis}_start": behind}
     if side != 'nearest' and side not in parts:
-        raise Refusal("the {name} surface is cut across {axis}: its side is {axis} start or {axis} end", name=name, axis=axis)
+        raise Refusal(_CUT[name], axis=axis)
     chosen = side if side != 'nearest' else max(parts, key=lambda one: _size(parts[one]))
     return parts[chosen], chosen
 

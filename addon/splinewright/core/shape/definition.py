@@ -109,7 +109,8 @@ class Definition:
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
             raise Refusal("its form is '{form}' with {count} pieces", form=self.form, count=len(self.pieces))
         if self.form in ('curve', 'patch') and len(self.pieces) != 1:
-            raise Refusal("it is one {form} with {count} pieces", form=self.form, count=len(self.pieces))
+            raise Refusal("it is one curve with {count} pieces" if self.form == 'curve' else "it is one patch with {count} pieces",
+                          count=len(self.pieces))
         if not np.isfinite(self.pool).all() or not self.pool[:, 3].any():
             raise Refusal("its points are not finite")
         for piece in self.pieces:

@@ -7,7 +7,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import AboutInputs, Refusal, about_items
 from ..base.library import sc
-from ..base.words import phrase
+from ..base.words import listed, phrase
 from ..joints import patch_joints
 from ..verbs import patch_curves, verbs
 from . import sections
@@ -16,6 +16,13 @@ from . import sections
 _ALONG_SURFACE = ('G1', 'G2')
 #: A section that lies so near to a line, as a part of its size, has no plane.
 _STRAIGHT = 1e-6
+#: What is said of its two ends.
+_LACKS_SURFACE = {'start': "the start is to continue a surface: add one to the list, before the first curve",
+                  'end': "the end is to continue a surface: add one to the list, after the last curve"}
+_LACKS_SECTION = {'start': "the start has no section beside it to go to", 'end': "the end has no section beside it to go to"}
+_IS_CURVE = {'start': "{} is a curve: only a start in a point can be round", 'end': "{} is a curve: only an end in a point can be round"}
+_CONTINUES = {'start': "the start continues {}: choose free, or its tangent planes or curvatures",
+              'end': "the end continues {}: choose free, or its tangent planes or curvatures"}
 
 
 class End(NamedTuple):
@@ -128,11 +135,18 @@ def _unmatched(inner, is_aligned):
     counts = sc.build.corner_counts([one.curve for one in curves], align=is_aligned)
     if len(set(counts)) < 2:
         return ""
-    told = []
-    for count in sorted(set(counts), key=counts.index):
-        numbers = [str(one.number + 1) for one, own in zip(curves, counts) if own == count]
-        told.append(f"{', '.join(numbers)} {'has' if len(numbers) == 1 else 'have'} {count or 'none'}")
-    return phrase("corners are not matched: of the sections {told}", told=' and '.join(told))
+    told = [_corners([one.number + 1 for one, own in zip(curves, counts) if own == count], count) for count in sorted(set(counts), key=counts.index)]
+    return phrase("corners are not matched: {told}", told=listed(told))
+
+
+def _corners(numbers, count):
+    """How many corners sections of these numbers have."""
+    words = ",\u00a0".join(map(str, numbers))       # one part of the sentence, which is taken apart at commas
+    if not count:
+        return phrase("section {numbers} has none", numbers=words) if len(numbers) == 1 else phrase("sections {numbers} have none", numbers=words)
+    if len(numbers) == 1:
+        return phrase("section {numbers} has {count} corners", one="section {numbers} has {count} corner", numbers=words, count=count)
+    return phrase("sections {numbers} have {count} corners", one="sections {numbers} have {count} corner", numbers=words, count=count)
 
 
 def _leaving(inner, at, end, name):
@@ -141,13 +155,12 @@ def _leaving(inner, at, end, name):
         return {}
     own, beside = inner[at], inner[1 if at == 0 else -2] if len(inner) > 1 else None
     if end.how in _ALONG_SURFACE:
-        raise Refusal("the {name} is to continue a surface: add one next to it to the list, before the first or after the last curve",
-                      name=name)
+        raise Refusal(_LACKS_SURFACE[name])
     if beside is None:
-        raise Refusal("the {name} has no section beside it to go to", name=name)
+        raise Refusal(_LACKS_SECTION[name])
     if end.how == 'round':
         if own.point is None:
-            raise AboutInputs("{} is a curve: only a {name} in a point can be round", own.number, name=name)
+            raise AboutInputs(_IS_CURVE[name], own.number)
         return {f'{name}_flat': (_toward(own, beside), end.strength)}
     way = _toward(own, beside)
     return {f'{name}_tangent': (way if at == 0 else -way) * end.strength}
@@ -168,7 +181,7 @@ def _toward(own, beside):
 def _neighbor(surface, beside, end, name):
     """As splinecore.build.loft takes it."""
     if end.how in ('normal', 'round'):
-        raise AboutInputs("the {name} continues {}: choose free, or its tangent planes or curvatures", surface.number, name=name)
+        raise AboutInputs(_CONTINUES[name], surface.number)
     sides = _sides(surface.patches)
     if not sides:
         raise AboutInputs("{} has no open side to continue", surface.number)

@@ -71,10 +71,10 @@ def _require_order(numbers, is_parameters):
     steps = np.diff(numbers)
     wrong = np.flatnonzero(steps <= 0 if is_parameters else steps < 0)
     if len(wrong):
-        i, noun = int(wrong[0]), "parameter" if is_parameters else "knot"
-        how = "not larger" if is_parameters else "smaller"
-        raise Refusal("{noun} {i}, {number:g}, is {how} than the one before it, {before:g}",
-                      noun=noun, i=i + 2, number=numbers[i + 1], how=how, before=numbers[i])
+        i = int(wrong[0])
+        raise Refusal("parameter {i}, {number:g}, is not larger than the one before it, {before:g}" if is_parameters else
+                      "knot {i}, {number:g}, is smaller than the one before it, {before:g}",
+                      i=i + 2, number=numbers[i + 1], before=numbers[i])
 
 
 def _knots(definition, piece, axis):

@@ -9,11 +9,19 @@ from .patch_verbs import Along
 
 #: Sides as splinecore names them, and in words.
 SIDES = {'u_start': "u start", 'u_end': "u end", 'v_start': "v start", 'v_end': "v end"}
+#: Those of curves, too, as whatever holds names them.
+PLACES = {**SIDES, 'start': "start", 'end': "end"}
 #: (name, label, description) of each, to choose from.
 SIDE_CHOICES = (("u_start", "u Start", "Where u starts"), ("u_end", "u End", "Where u ends"),
                 ("v_start", "v Start", "Where v starts"), ("v_end", "v End", "Where v ends"))
 #: A curve whose points lie so near to each other, as a part of the size of the patch, is a point.
 _POINT = 1e-12
+
+
+def named_side(side, number=None):
+    """A side of a patch, or an end of a curve, in words; number: which of several pieces, counted from 1."""
+    words = phrase(PLACES[side])
+    return words if number is None else phrase("{number} {side}", number=number, side=words)
 
 
 def isocurves(patches, number, at):

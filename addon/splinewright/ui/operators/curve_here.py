@@ -90,7 +90,7 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.trim_here"
     bl_label = "Trim by Click"
     bl_description = "Click the part of a curve to remove, up to where it meets other visible curves"
-    thing, does = "Part", "trim"
+    thing, does = "Part at {numbers}", "Click: trim"
 
     def operator(self, parameter, domain):
         return bpy.ops.splinewright.trim_curve, {'parameter': decimals.single(parameter), 'exact': repr(float(parameter)),
@@ -107,7 +107,7 @@ class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.extend_here"
     bl_label = "Extend by Click"
     bl_description = "Click a curve near an end to extend it to where it meets another visible curve"
-    thing, does = "End nearest", "extend"
+    thing, does = "End nearest to {numbers}", "Click: extend"
 
     how: curve_meeting.how_property(options={'SKIP_SAVE'})
 

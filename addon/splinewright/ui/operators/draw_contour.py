@@ -191,14 +191,11 @@ class SPLINEWRIGHT_OT_draw_contour(Typing, Gesture, bpy.types.Operator):
         view = self._view or picking.view_at(event.mouse_x, event.mouse_y)
         ui_state.weighing = (weight_overlay.Weighing(view[0].as_pointer(), event.mouse_x, event.mouse_y, words, False)
                           if view and words else None)
-        kind = "tangent arc" if self._kind == contours.ARC else "segment"
-        keys = [phrase("Click: {kind}", kind=kind), "A: segment, arc",
+        keys = ["Click: tangent arc" if self._kind == contours.ARC else "Click: segment", "A: segment, arc",
                 "S: marks of curves off" if self._marks.are_on else "S: marks of curves on"]
         if self._drawn.points:
-            typed, other = ("angle", "length") if self._types_angle else ("length", "angle")
-            keys += ["Ctrl: steps of 15°", phrase("Numbers: {typed}", typed=typed), phrase("Tab: {other}",
-                                                                       other=other), "Backspace: one back", "Enter: done",
-                     "C, first point: close"]
+            keys += ["Ctrl: steps of 15°", *(("Numbers: angle", "Tab: length") if self._types_angle else ("Numbers: length", "Tab: angle")),
+                     "Backspace: one back", "Enter: done", "C, first point: close"]
         context.workspace.status_text_set(say("   |   ".join([*keys, "Esc, Right Mouse: cancel"])))
         redraw()
 

@@ -22,17 +22,17 @@ from . import new_shapes, reports
 from .adding import can_add, resolution_property
 
 
-def _path(operator):
+def path_of(operator):
     return Path(bpy.path.abspath(operator.filepath))
 
 
-def _path_property():
+def path_property():
     """In place of those of Blender's helpers, which presets would hold: its file browser shows hidden ones again."""
     return StringProperty(name="File Path", maxlen=1024, subtype='FILE_PATH',
                           options={'HIDDEN', 'SKIP_PRESET' if versions.has_skip_preset else 'SKIP_SAVE'})
 
 
-def _printable(text):
+def printable(text):
     """Names of files may hold bytes that are no text."""
     return str(text).encode('utf-8', 'replace').decode('utf-8')
 
@@ -56,7 +56,7 @@ class _Import(ImportHelper):
 
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    filepath: _path_property()
+    filepath: path_property()
     directory: StringProperty(subtype='DIR_PATH', options={'HIDDEN', 'SKIP_SAVE'})
     files: CollectionProperty(type=bpy.types.OperatorFileListElement, options={'HIDDEN', 'SKIP_SAVE'})
     resolution_u: resolution_property("U", default=10)
@@ -90,7 +90,7 @@ class _Import(ImportHelper):
                 try:
                     made += self._read(path, lambda part, i=i: step(i + part))
                 except FAILURES as error:
-                    failed[_printable(path.name)] = _printable(sentence(error))
+                    failed[printable(path.name)] = printable(sentence(error))
         reasons = reports.by_name(failed)
         if not made:
             return reports.cancelled(self, *reasons)
@@ -103,11 +103,11 @@ class _Import(ImportHelper):
     def _paths(self):
         """The files that were chosen or dropped, or the one that a script names."""
         folder = Path(bpy.path.abspath(self.directory))
-        return [folder / element.name for element in self.files if element.name] or [_path(self)]
+        return [folder / element.name for element in self.files if element.name] or [path_of(self)]
 
     def _read(self, path, progress):
         """Pairs of a name and a new data-block for what a file holds. progress is called with the part that is done."""
-        name, made = _printable(self.name_of(path)), []
+        name, made = printable(self.name_of(path)), []
         self.look_inside(path)
         try:
             values = self.values(_text_of(path))
@@ -136,7 +136,7 @@ def _link(context, made):
 class _Export(ExportHelper):
     bl_options = {'REGISTER'}
 
-    filepath: _path_property()
+    filepath: path_property()
     transform: BoolProperty(
         name="Apply Transforms", description="Write the shapes where they stand in the world; otherwise in the space of "
         "their objects, with every digit")
@@ -153,7 +153,7 @@ class _Export(ExportHelper):
         raise NotImplementedError
 
     def execute(self, context):
-        path, chosen = _path(self), _exported(context)
+        path, chosen = path_of(self), _exported(context)
         if not self.filepath or path.is_dir():
             return reports.cancelled(self, "Name a file to write to")
         name = chosen[0].name if len(chosen) == 1 else ""
@@ -161,13 +161,13 @@ class _Export(ExportHelper):
             text, left_out = self.text({ob.name: self._value(ob) for ob in chosen})
             whole_files.write(path, text)
         except FAILURES as error:
-            text = _printable(sentence(error))
+            text = printable(sentence(error))
             return reports.cancelled(self, reports.named(name, text) if name else text)
         count = len(chosen) - len(left_out)
         what = phrase("Exported {count} objects to", count=count) if count > 1 else "Exported"
         changed = {ob.name: _CHANGED for ob in chosen if ob.name not in left_out and shape.is_touched(ob.data)}
         warnings = reports.by_name({**left_out, **changed})
-        return reports.finished(self, reports.Report(f"{what} {_printable(path.name)}", warnings=warnings))
+        return reports.finished(self, reports.Report(f"{what} {printable(path.name)}", warnings=warnings))
 
     def _value(self, ob):
         if not self.transform:

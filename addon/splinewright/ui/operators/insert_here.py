@@ -27,7 +27,7 @@ class ByClick(Gesture):
     bl_options = {'REGISTER'}
     cursor = 'CROSSHAIR'
     works_on_nets = True
-    #: What lies at the mouse, and what a click does with it.
+    #: What lies at the mouse, and what a click does with it, as the status bar says it.
     thing, does = "", ""
     #: How many parameters what is clicked may have.
     dimensions = (1, 2)
@@ -122,7 +122,7 @@ class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.insert_here"
     bl_label = "Insert Knot by Click"
     bl_description = "Click a curve or patch to insert a knot there; the shape does not change, but gets more control points"
-    thing, does = "Knot", "insert"
+    thing, does = "Knot at {numbers}", "Click: insert"
 
     def clicked(self, aimed):
         return self.done_at(aimed, bpy.ops.splinewright.insert_knot, where='PARAMETER', times=1)
@@ -132,7 +132,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.split_here"
     bl_label = "Split by Click"
     bl_description = "Click the curve or patch where it is to be split in two; the shape stays the same"
-    thing, does = "Cut", "split"
+    thing, does = "Cut at {numbers}", "Click: split"
 
     def clicked(self, aimed):
         return self.done_at(aimed, bpy.ops.splinewright.split, where='PARAMETER')
@@ -142,7 +142,7 @@ class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
     bl_label = "Extract Isocurve by Click"
     bl_description = "Click a patch to extract an exact isocurve there, as a new shape"
-    thing, does = "Isocurve", "extract"
+    thing, does = "Isocurve at {numbers}", "Click: extract"
     dimensions = (2,)
     works_on_nets = False
 
@@ -205,9 +205,8 @@ def _status(aimed, thing, does):
         return "Point at the shape   |   Esc, Right Mouse: Cancel"
     names = {'U': "u", 'V': "v", 'BOTH': "uv"}[aimed.direction] if len(aimed.parameters) == 2 else "u"
     numbers = ", ".join(f"{name} = {value:.4g}" for name, value in zip("uv", aimed.parameters) if name in names)
-    wheel = "   |   Wheel: along u, v, both" if len(aimed.parameters) == 2 else ""
-    return phrase("{thing} at {numbers}   |   Click: {does}   |   Ctrl: middle of the span{wheel}   |   Esc, Right Mouse: Cancel",
-                  thing=thing, numbers=numbers, does=does, wheel=wheel)
+    wheel = ("Wheel: along u, v, both",) if len(aimed.parameters) == 2 else ()
+    return "   |   ".join((phrase(thing, numbers=numbers), does, "Ctrl: middle of the span", *wheel, "Esc, Right Mouse: Cancel"))
 
 
 CLASSES = (SPLINEWRIGHT_OT_insert_here, SPLINEWRIGHT_OT_split_here, SPLINEWRIGHT_OT_extract_here)

@@ -8,7 +8,7 @@ from ...bridge.shape import shape
 from ...core.base import decimals
 from ...core.base.failures import Refusal
 from ...core.base.words import phrase
-from ...core.lessons import drafts
+from ...core.lessons import drafts, measure_words
 from ...core.lessons.lesson import Measure
 from ...core.lessons.measures import KINDS, measured
 from ..ui_state import ui_state
@@ -124,14 +124,15 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
         if self.kind == 'point':
             return {'point': self._numbers(), 'of': name}, (), phrase("points of {name} are to be picked", name=name)
         said = self._measure(context, names, name)
-        number = measured(_measure_of(said), authoring.shown(found))
+        measure, shown = _measure_of(said), authoring.shown(found)
+        number = measured(measure, shown)
         if self.kind == 'number':
             return {'number': said, 'within': decimals.typed(self.within)}, (), phrase("the number is {number:.6g}", number=number)
         changed = drafts.changes(known, found)
         if not changed:
             raise Refusal("the shapes are as the step begins: bring them to where the question is answered, then ask")
-        return {'do': [self._condition(said, number)]}, changed, phrase("{measure} of {name}, which is {number:.6g} in the solution",
-                                                                        measure=self.measure, name=name, number=number)
+        return {'do': [self._condition(said, number)]}, changed, phrase("{measure}, which is {number:.6g} in the solution",
+                                                                        measure=measure_words.named(measure, shown), number=number)
 
     def _numbers(self):
         try:
@@ -143,9 +144,11 @@ class SPLINEWRIGHT_OT_ask_question(_OnDraft, bpy.types.Operator):
         if self.relation == 'near':
             return {'that': said, 'near': float(f"{number:.12g}"), 'within': decimals.typed(self.within)}
         bound = decimals.typed(self.bound)
-        if not (number > bound if self.relation == 'above' else number < bound):
-            raise Refusal("the number is {number:.6g} now, and not {relation} {bound:g}: the present state must be a solution",
-                          number=number, relation=self.relation, bound=bound)
+        is_above = self.relation == 'above'
+        if not (number > bound if is_above else number < bound):
+            raise Refusal("the number is {number:.6g} now, and not above {bound:g}: the present state must be a solution" if is_above else
+                          "the number is {number:.6g} now, and not below {bound:g}: the present state must be a solution",
+                          number=number, bound=bound)
         return {'that': said, self.relation: bound}
 
     def _measure(self, context, names, name):

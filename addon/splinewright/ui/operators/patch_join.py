@@ -118,7 +118,7 @@ def told(found, named=_named):
     measured = found.measured
     angle, bend = math.degrees(measured.angle), measured.curvature_difference
     return (phrase("{sides} are {measured}, angle {angle}°, curvatures differ by {bend}; {moved}",
-                   sides=sides, measured=seams.in_words(measured), angle=_short(angle), bend=_short(bend), moved=', '.join(moved) or 'nothing moved'))
+                   sides=sides, measured=seams.in_words(measured), angle=_short(angle), bend=_short(bend), moved=', '.join(moved) or "nothing moved"))
 
 
 def came_apart(found, named=_named):

@@ -37,6 +37,7 @@ SIGHTS = {
     'KNOTS': _Sight("Knots", "Where spans meet on curves and surfaces", "knots"),
     'STRIP': _Sight("Knot Strip", "The knots of the active shape on a bar", "strip"),
     'LABELS': _Sight("Labels", "Names of control points, weights, knots and functions", "labels"),
+    'AXES': _Sight("Axes and Grid", "Axes with numbers through the origin of a shape, and a grid", "axes"),
     'NET': _Sight("Control Net", "Control polygons and control nets in Object Mode", "polygon"),
 }
 

@@ -1,0 +1,1 @@
+"""Figures of what a view shows: objects, letters, and what hides them."""

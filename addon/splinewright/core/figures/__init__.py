@@ -1,0 +1,1 @@
+"""Figures: what a view shows as exact paths on a page, and the files that hold them."""

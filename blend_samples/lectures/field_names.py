@@ -1,0 +1,45 @@
+"""What the interface calls the fields of the commands that make the pictures, and their choices."""
+
+#: {command: {name for scripts: label}}.
+FIELDS = {
+    'splinewright.add_nurbs_curve': {'degree': "Degree", 'count': "Points", 'location': "Location", 'rotation': "Rotation", 'knots': "Knots"},
+    'splinewright.weight_here': {'weight': "Weight"},
+    'splinewright.add_lift': {'cone': "Cone", 'plane': "Plane and Axis"},
+    'splinewright.add_construction': {'position': "Position", 'scheme': "Scheme", 'first_level': "First Level", 'last_level': "Last Level"},
+    'splinewright.add_conic': {'weight': "Weight"},
+    'splinewright.add_bezier_curve': {'degree': "Degree", 'location': "Location", 'rotation': "Rotation"},
+    'splinewright.set_knots': {'knots': "Knots"},
+    'splinewright.add_chain_points': {'polygons': "Polygons", 'marker': "Marker"},
+    'splinewright.add_revolve': {'axis': "Axis", 'offset_y': "Offset Y", 'hide_inputs': "Hide Inputs"},
+    'splinewright.add_functions': {'family': "Functions", 'degree': "Degree", 'knot_values': "Knots", 'width': "Width", 'height': "Height", 'location': "Location", 'resolution_u': "Resolution", 'show': "Show", 'domain': "Domain"},
+    'splinewright.add_triangle': {'degree': "Degree", 'knot_values': "Knots", 'chosen': "Functions", 'feeding': "Show", 'spans': "Spans", 'across': "Column Width"},
+    'splinewright.add_teapot': {'resolution_u': "Resolution U", 'resolution_v': "Resolution V", 'location': "Location"},
+    'splinewright.add_formula': {'x': "x(t)", 'y': "y(t)", 'z': "z(t)", 'start': "Start", 'end': "End", 'constants': "Constants"},
+    'splinewright.add_polynomial': {'count': "Points", 'parametrisation': "Spacing", 'spline': "Compare with Spline"},
+    'splinewright.add_axes': {'x_from': "X From", 'x_to': "X To", 'y_from': "Y From", 'y_to': "Y To", 'z_from': "Z From", 'z_to': "Z To", 'spatial': "Z Axis"},
+    'splinewright.add_equation': {'a': "a", 'b': "b", 'c': "c", 'd': "d", 'e': "e", 'f': "f"},
+    'splinewright.add_marks': {'steps': "Steps", 'tangents': "Tangents at Corners", 'derivatives': "Derivatives at Ends", 'marker': "Marker"},
+    'splinewright.join_ends': {'continuity': "Continuity"},
+    'splinewright.add_ducks': {'ends': "Ends", 'marker': "Marker", 'spacing': "Spacing"},
+    'splinewright.split': {'where': "Where", 'parameter_u': "U"},
+    'splinewright.add_bezier_chain': {'count': "Points"},
+    'splinewright.add_orders': {'columns': "Columns", 'polygons': "Polygons"},
+    'splinewright.add_halving': {'steps': "Steps", 'distance': "Distance"},
+    'splinewright.add_hulls': {'show': "Show"},
+    'splinewright.add_helix': {'radius': "Radius", 'end_radius': "End Radius", 'height': "Height", 'turns': "Turns"},
+}
+#: {(command, name for scripts): {choice: label}}.
+CHOICES = {
+    ('splinewright.add_construction', 'scheme'): {'casteljau': "de Casteljau", 'rational': "de Casteljau, rational"},
+    ('splinewright.add_chain_points', 'polygons'): {'both': "Both"},
+    ('splinewright.add_revolve', 'axis'): {'x': "X"},
+    ('splinewright.add_functions', 'family'): {'bspline': "B-Spline", 'hermite': "Hermite", 'bernstein': "Bernstein"},
+    ('splinewright.add_triangle', 'feeding'): {'support': "Support", 'parents': "Parents"},
+    ('splinewright.add_polynomial', 'parametrisation'): {'uniform': "Uniform"},
+    ('splinewright.join_ends', 'continuity'): {'C0': "C0", 'G1': "G1", 'C2': "C2", 'C1': "C1"},
+    ('splinewright.split', 'where'): {'PARAMETER': "At Parameter"},
+    ('splinewright.add_functions', 'show'): {'sum': "With Sum"},
+    ('splinewright.add_nurbs_curve', 'knots'): {'UNCLAMPED': "Unclamped"},
+    ('splinewright.add_hulls', 'show'): {'hulls': "Hulls", 'both': "Both"},
+    ('splinewright.add_ducks', 'spacing'): {'chordal': "Chordal"},
+}
