@@ -56,9 +56,9 @@ void require_tolerance(double tolerance) {
   if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not 0 or more");
 }
 
-void require_positive(double length, const char* name) {
+void require_positive(double length, const std::string& name) {
   if (std::isfinite(length) && length > 0.0) return;
-  throw InvalidShape(name + (" = " + text_of(length)) + " is not a positive length");
+  throw InvalidShape(name + " = " + text_of(length) + " is not a positive length");
 }
 
 }  // namespace splinecore

@@ -26,7 +26,7 @@ void require_increasing(std::span<const double> values, const std::string& argum
 void require_tolerance(double tolerance);
 
 /// @throws InvalidShape naming it unless it is a positive, finite length.
-void require_positive(double length, const char* name = "tolerance");
+void require_positive(double length, const std::string& name = "tolerance");
 
 }  // namespace splinecore
 #pragma GCC visibility pop

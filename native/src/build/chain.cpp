@@ -54,11 +54,6 @@ void require_cubic(const BezierCurve& curve, std::size_t i) {
   if (curve.nurbs().rational()) throw InvalidShape(name + " is rational: the polygon is that of a polynomial chain");
 }
 
-void require_positive(double length, const std::string& name) {
-  if (length > 0.0 && std::isfinite(length)) return;
-  throw InvalidShape(name + " = " + text_of(length) + " is not a positive, finite number");
-}
-
 Vector point_of(const BezierCurve& curve, int i) { return Vector(curve.points()[i]); }
 
 /// Where two curves of a chain meet, on intervals of lengths a and b.

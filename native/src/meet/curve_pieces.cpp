@@ -8,6 +8,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "piece_box.hpp"
 #include "piece_side.hpp"
 
 namespace splinecore {

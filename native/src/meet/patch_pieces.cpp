@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "piece_box.hpp"
 
 namespace splinecore {
 
