@@ -97,7 +97,7 @@ TEST(PolygonOfChain, RefusesTheJointThatIsNotC2) {
   EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {1, 2, 1}); }).substr(0, 17), "joint 1 is not C1");
   EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {1, 2, 1}, 100.0); }), "not refused");
   EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {1, 2}); }), "lengths has 2 values for 3 curves");
-  EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {1, 0, 1}); }), "lengths[1] = 0 is not a positive, finite number");
+  EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {1, 0, 1}); }), "lengths[1] = 0 is not a positive length");
   EXPECT_EQ(refusal([&] { polygon_of_chain(chain, {}, -1.0); }), "tolerance = -1 is not 0 or more");
   EXPECT_EQ(refusal([&] { polygon_of_chain({}); }), "chain is empty: it needs one curve or more");
   const std::vector<BezierCurve> line{polynomial({{0, 0, 0}, {1, 0, 0}})};
@@ -131,7 +131,7 @@ TEST(C2Pair, MeetsWithEqualDerivativesOnItsIntervals) {
     EXPECT_EQ(glm::dvec3(q.points()[0]), p[0]);
     EXPECT_EQ(glm::dvec3(r.points()[3]), p[4]);
   }
-  EXPECT_EQ(refusal([] { c2_pair({}, {}, {}, {}, {}, 0, 1); }), "a = 0 is not a positive, finite number");
+  EXPECT_EQ(refusal([] { c2_pair({}, {}, {}, {}, {}, 0, 1); }), "a = 0 is not a positive length");
   EXPECT_EQ(refusal([] { c2_pair({}, {}, {0, kNan, 0}, {}, {}, 1, 1); }), "d[1] = nan is not finite");
 }
 

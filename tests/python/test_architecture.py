@@ -16,7 +16,7 @@ NATIVE_ARROWS = {
     'numeric': set(),
     'base': {'kernels'},
     'basis': {'base', 'kernels'},
-    'curve': {'base', 'basis', 'kernels'},
+    'curve': {'base', 'numeric', 'basis', 'kernels'},
     'patch': {'base', 'basis', 'curve', 'kernels'},
     'convert': {'base', 'basis', 'curve', 'patch'},
     'conic': {'base', 'basis', 'curve', 'convert'},
@@ -162,6 +162,50 @@ def test_a_name_of_a_type_means_one_thing_in_the_library():
         for name, meaning in types_of(path) if room != 'kernels' else ():
             other, where = known.setdefault(name, (meaning, path))
             assert other == meaning, f"{name} is declared in {where} and in {path}"
+
+
+def parts_of(text, start):
+    """The parts between the parenthesis before `start` and its partner, and where that is; commas within brackets part nothing."""
+    parts, depth, at = [""], 0, start
+    while at < len(text) and (depth or text[at] != ')'):
+        depth += (text[at] in '<({[') - (text[at] in '>)}]')
+        parts = [*parts, ""] if text[at] == ',' and not depth else [*parts[:-1], parts[-1] + text[at]]
+        at += 1
+    return [re.sub(r'\s+', ' ', part.partition('=')[0]).strip() for part in parts], at
+
+
+def functions_of(text):
+    """(name, types of its parameters) of each function that a header declares or defines outside of classes."""
+    text = re.sub(r'//.*', '', text)
+    for found in re.finditer(r'^(?!namespace|template|using|struct|class|enum)\w[\w:<>,&* ]*[ &*](\w+)\(', text, re.M):
+        parts, end = parts_of(text, found.end())
+        if re.match(r'\)(?: const)?(?: noexcept)?\s*[;{]', text[end:end + 40]):
+            yield found[1], tuple(re.sub(r'(?<=[\w>&*]) ?\b(?<!:)\w+$', '', part) if ' ' in part or '&' in part else part for part in parts)
+
+
+def test_no_two_headers_have_a_function_of_one_name_and_parameters():
+    """Linkers take either of two, and say nothing."""
+    known = {}
+    for room, path in native_files():
+        for function in functions_of(path.read_text()) if path.suffix == '.hpp' and room != 'kernels' else ():
+            other = known.setdefault(function, path)
+            assert other == path, f"{function[0]}{function[1]} is in {other} and in {path}"
+    assert len(known) > 500
+
+
+def test_functions_of_a_header_are_read():
+    text = """
+inline double at(const Interval& domain, double t) noexcept {
+  if (t == 0.0) return 1.0;
+double at(const Interval& interval, double place) noexcept;
+std::vector<glm::dvec3> all(std::span<const double> s, std::array<int, 2> by = {0, 0}, const char* name = "a");
+int none();
+class Thing {
+  double member(int k) const;
+};
+"""
+    assert list(functions_of(text)) == [('at', ('const Interval&', 'double')), ('at', ('const Interval&', 'double')),
+                                        ('all', ('std::span<const double>', 'std::array<int, 2>', 'const char*')), ('none', ('',))]
 
 
 def test_the_library_knows_neither_python_nor_blender():

@@ -159,7 +159,23 @@ def test_joining_does_not_depend_on_the_units(kind, scale):
     assert short.continuity(scale).c >= KINDS[kind][0]
 
 
+def towards_infinity(x, height):
+    """A cubic from x to x + 3 whose inner control points are directions."""
+    return sc.NurbsCurve.from_homogeneous(3, [0, 0, 0, 0, 1, 1, 1, 1],
+                                          [(x, 0, 0, 1), (0, height, 0, 0), (0, height, 0.3, 0), (x + 3, 0, 0, 1)])
+
+
+def test_directions_that_agree_already_are_joined():
+    whole = towards_infinity(0, 1)
+    first, second = whole.split(0.4)
+    for kind in KINDS:
+        value, bound = first.join(second, kind)
+        assert bound <= 1e-14 and sampled_distance(value.with_domain((0, 1)), whole) <= 1e-13
+
+
 REFUSED = [
+    (lambda: towards_infinity(0, 1).join(towards_infinity(3.5, -2), "C1"), "too few that can move"),
+    (lambda: towards_infinity(0, 1).join(towards_infinity(3.5, -2), "C2"), "too few that can move"),
     (lambda: circle().join(circle(), "C3"), "continuity = 'C3' is not 'C0', 'G1', 'C1' or 'C2'"),
     (lambda: circle().join(circle(), "c1"), "continuity = 'c1'"), (lambda: circle().join(circle(), None), "= None"),
     (lambda: circle().join(circle(), 1), "continuity = 1"), (lambda: circle().join(circle(), ""), "continuity = ''"),

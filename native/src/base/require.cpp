@@ -52,4 +52,13 @@ void require_increasing(std::span<const double> values, const std::string& argum
                      " overflow: their distance is not a finite number");
 }
 
+void require_tolerance(double tolerance) {
+  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not 0 or more");
+}
+
+void require_positive(double length, const std::string& name) {
+  if (std::isfinite(length) && length > 0.0) return;
+  throw InvalidShape(name + " = " + text_of(length) + " is not a positive length");
+}
+
 }  // namespace splinecore

@@ -22,5 +22,11 @@ void require_finite(std::span<const glm::dvec3> vectors, const std::string& argu
 ///         far from the first.
 void require_increasing(std::span<const double> values, const std::string& argument);
 
+/// @throws InvalidShape unless it is 0 or more.
+void require_tolerance(double tolerance);
+
+/// @throws InvalidShape naming it unless it is a positive, finite length.
+void require_positive(double length, const std::string& name = "tolerance");
+
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -54,11 +54,6 @@ void require_cubic(const BezierCurve& curve, std::size_t i) {
   if (curve.nurbs().rational()) throw InvalidShape(name + " is rational: the polygon is that of a polynomial chain");
 }
 
-void require_positive(double length, const std::string& name) {
-  if (length > 0.0 && std::isfinite(length)) return;
-  throw InvalidShape(name + " = " + text_of(length) + " is not a positive, finite number");
-}
-
 Vector point_of(const BezierCurve& curve, int i) { return Vector(curve.points()[i]); }
 
 /// Where two curves of a chain meet, on intervals of lengths a and b.
@@ -125,7 +120,7 @@ std::vector<glm::dvec3> polygon_of_chain(std::span<const BezierCurve> chain, std
   for (std::size_t i = 0; i < chain.size(); ++i) require_cubic(chain[i], i);
   if (lengths.empty()) lengths.assign(chain.size(), 1.0);
   require_lengths(lengths, chain.size());
-  if (tolerance && !(*tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(*tolerance) + " is not 0 or more");
+  if (tolerance) require_tolerance(*tolerance);
   std::vector<Vector> polygon{point_of(chain.front(), 0), point_of(chain.front(), 1)};
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const ChainJoint joint{chain[i - 1], chain[i], lengths[i - 1], lengths[i]};

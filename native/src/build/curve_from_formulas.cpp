@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/require.hpp"
 #include "exact_polynomial.hpp"
 #include "fit_options.hpp"
 #include "quintic.hpp"
@@ -132,7 +133,7 @@ double CurveFit::error_of(const QuinticPiece& piece) {
   std::array<glm::dvec3, kPart> found;
   double largest = 0.0;
   for (int part = 0; part < parts && largest <= kAccepted * tolerance_; ++part) {
-    for (int i = 0; i < kPart; ++i) parameters[i] = parameter_at(interval, measured_place(part * kPart + i));
+    for (int i = 0; i < kPart; ++i) parameters[i] = interval.at(measured_place(part * kPart + i));
     formulas_.evaluate(parameters, wanted);
     splinecore::evaluate(piece, parameters, found);
     largest = std::max(largest, largest_distance(wanted, found));
@@ -195,7 +196,7 @@ double CurveFit::error_of(const NurbsCurve& curve) {
   std::vector<glm::dvec3> found(count);
   double largest = 0.0;
   for (const QuinticPiece& piece : pieces_) {
-    for (int i = 0; i < count; ++i) parameters[i] = parameter_at(piece.interval(), measured_place(i));
+    for (int i = 0; i < count; ++i) parameters[i] = piece.interval().at(measured_place(i));
     parameters.back() = piece.end.u;
     formulas_.evaluate(parameters, wanted);
     splinecore::evaluate(curve, parameters, std::span(&found[0].x, 3 * found.size()));
@@ -210,7 +211,7 @@ Approximation<NurbsCurve> curve_from_formulas(std::span<const Formula> coordinat
                                               double tolerance) {
   require_formulas(coordinates);
   require_domain(domain, "domain");
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   if (auto curve = exact_curve(coordinates, domain)) return {*std::move(curve), 0.0};
   return CurveFit(coordinates, domain, tolerance).run();
 }

@@ -10,11 +10,6 @@
 
 namespace splinecore {
 
-void require_tolerance(double tolerance, const char* name) {
-  if (std::isfinite(tolerance) && tolerance > 0.0) return;
-  throw InvalidShape(name + (" = " + text_of(tolerance)) + " is not a positive length");
-}
-
 void require_domain(const Interval& domain, const std::string& argument) {
   const std::string shown = argument + " = [" + text_of(domain.start) + ", " + text_of(domain.end) + "]";
   if (!std::isfinite(domain.start) || !std::isfinite(domain.end)) throw InvalidShape(shown + " is not finite");
@@ -26,10 +21,6 @@ double measured_place(int k) noexcept {
   constexpr std::array kFirst{0.5, 1e-3, 1e-2, 1.0 - 1e-2, 1.0 - 1e-3};
   if (k < static_cast<int>(kFirst.size())) return kFirst[k];
   return std::fmod(k / std::numbers::phi, 1.0);
-}
-
-double parameter_at(const Interval& interval, double place) noexcept {
-  return std::clamp(interval.start + place * interval.length(), interval.start, interval.end);
 }
 
 bool can_be_cut(const Interval& interval) noexcept {

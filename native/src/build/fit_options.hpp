@@ -15,18 +15,12 @@ inline constexpr int kLeastMeasured = 4096;
 /// A little below the tolerance, for what lies between the places that are measured.
 inline constexpr double kAccepted = 0.9;
 
-/// @throws InvalidShape unless it is a positive, finite length.
-void require_tolerance(double tolerance, const char* name = "tolerance");
-
 /// @throws InvalidShape naming the argument unless both ends and their distance are finite and it increases.
 void require_domain(const Interval& domain, const std::string& argument);
 
 /// The k-th place to measure in [0, 1]: first some near the ends, where roots have their errors, then a
 /// sequence that meets no regular pattern (Weyl's, of the golden ratio).
 double measured_place(int k) noexcept;
-
-/// start + place * length, never outside the interval.
-double parameter_at(const Interval& interval, double place) noexcept;
 
 /// Whether enough of float64 lies between the ends to tell a steep piece from a jump.
 bool can_be_cut(const Interval& interval) noexcept;

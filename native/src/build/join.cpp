@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/length.hpp"
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/hermite.hpp"
 #include "splinecore/curve/bezier_degree.hpp"
@@ -50,7 +51,7 @@ KnotVector joined_knots(int degree, const std::vector<double>& parameters) {
 
 NurbsCurve join_beziers(std::span<const BezierCurve> curves, std::vector<double> parameters, double tolerance) {
   if (curves.empty()) throw InvalidShape("curves is empty: it needs one curve or more");
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not 0 or more");
+  require_tolerance(tolerance);
   if (!parameters.empty() && parameters.size() != curves.size() + 1) {
     throw InvalidShape("parameters has " + std::to_string(parameters.size()) + " values for " +
                        std::to_string(curves.size()) + " curves");

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/length.hpp"
+#include "base/require.hpp"
 #include "base/sort_by.hpp"
 #include "curve_ends.hpp"
 #include "splinecore/base/errors.hpp"
@@ -71,7 +72,7 @@ std::vector<std::size_t> partners_of(std::size_t count, const std::vector<EndPai
 
 std::vector<NurbsCurve> join_curves(std::span<const NurbsCurve> curves, double tolerance) {
   if (curves.empty()) throw InvalidShape("there is no curve to join");
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not 0 or more");
+  require_tolerance(tolerance);
   std::vector<bool> is_open;
   for (const NurbsCurve& curve : curves) is_open.push_back(!is_closed(curve));
   const std::vector<std::size_t> partners =

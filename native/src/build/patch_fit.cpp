@@ -131,8 +131,8 @@ CellError PatchFit::error_of(const NurbsPatch& patch, int i, int j) {
   std::vector<glm::dvec3> found(count);
   for (int k = 0; k < count; ++k) {
     const glm::dvec2 place = measured_place_of_cell(k);
-    u[k] = parameter_at(cell(0, i), place.x);
-    v[k] = parameter_at(cell(1, j), place.y);
+    u[k] = cell(0, i).at(place.x);
+    v[k] = cell(1, j).at(place.y);
   }
   surface_.evaluate(u, v, wanted);
   evaluate(patch, u, v, std::span(&found[0].x, 3 * found.size()));

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/require.hpp"
 #include "exact_polynomial.hpp"
 #include "fit_options.hpp"
 #include "patch_fit.hpp"
@@ -55,7 +56,7 @@ Approximation<NurbsPatch> patch_from_formulas(std::span<const Formula> coordinat
   require_formulas(coordinates);
   require_domain(domains[0], "domain_u");
   require_domain(domains[1], "domain_v");
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   if (auto patch = exact_patch(coordinates, domains)) return {*std::move(patch), 0.0};
   return fitted_patch(coordinates, domains, tolerance);
 }

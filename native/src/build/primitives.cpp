@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/ellipse.hpp"
 #include "splinecore/conic/plane.hpp"
@@ -11,11 +12,6 @@
 namespace splinecore {
 
 namespace {
-
-void require_positive(double length, const char* name) {
-  if (length > 0.0 && std::isfinite(length)) return;
-  throw InvalidShape(std::string(name) + " = " + text_of(length) + " is not a positive length");
-}
 
 void require_not_negative(double length, const char* name) {
   if (length >= 0.0 && std::isfinite(length)) return;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/require.hpp"
 #include "numbers.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/conic/plane.hpp"
@@ -113,9 +114,7 @@ NurbsCurve ellipse(const glm::dvec3& center, const glm::dvec3& axis_a, const glm
 }
 
 NurbsCurve circle(const glm::dvec3& center, double radius, const glm::dvec3& normal, EllipseForm form) {
-  if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw InvalidShape("radius = " + text_of(radius) + " is not a positive length");
-  }
+  require_positive(radius, "radius");
   require_vector(center, "center");
   const Plane plane = plane_across(center, normal);
   return ellipse(center, radius * plane.x_axis, radius * plane.y_axis, form);

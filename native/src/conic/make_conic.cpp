@@ -78,11 +78,6 @@ void require_no_four_on_a_line(std::span<const glm::dvec3> points, double tolera
   }
 }
 
-void require_positive_length(double length, const std::string& name) {
-  if (length > 0.0 && std::isfinite(length)) return;
-  throw InvalidShape(name + " = " + text_of(length) + " is not a positive length");
-}
-
 NurbsCurve quadratic(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& p2, double w1) {
   return NurbsCurve::make(KnotVector::bezier(2), {{p0, 1.0}, {p1, w1}, {p2, 1.0}});
 }
@@ -148,7 +143,7 @@ ImplicitConic conic_by_foci(const glm::dvec3& focus_1, const glm::dvec3& focus_2
                             const glm::dvec3& normal) {
   require_vector(focus_1, "focus_1");
   require_vector(focus_2, "focus_2");
-  require_positive_length(distance, "distance");
+  require_positive(distance, "distance");
   const glm::dvec3 middle = 0.5 * focus_1 + 0.5 * focus_2;
   const Plane across = plane_across(middle, normal);
   const double a = 0.5 * distance;

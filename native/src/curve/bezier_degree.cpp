@@ -10,6 +10,7 @@
 #include "base/double_double.hpp"
 #include "base/given_points.hpp"
 #include "base/length.hpp"
+#include "base/require.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -181,7 +182,7 @@ Approximation<BezierCurve> reduced(const BezierCurve& curve, int times) {
 }
 
 Approximation<BezierCurve> reduced(const BezierCurve& curve, int times, double tolerance) {
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is not 0 or more");
+  require_tolerance(tolerance);
   Approximation<BezierCurve> result = reduced(curve, times);
   if (result.error <= tolerance) return result;
   throw ToleranceNotReached("the degree cannot be reduced", tolerance, result.error);

@@ -8,6 +8,7 @@
 
 #include "base/given_points.hpp"
 #include "base/one_sign.hpp"
+#include "base/require.hpp"
 #include "basis/bernstein_net.hpp"
 #include "basis/gaps.hpp"
 #include "bezier_piece.hpp"
@@ -244,9 +245,7 @@ bool is_cut_by_seam(const NurbsCurve& curve, const std::vector<Chain>& chains) {
 }  // namespace
 
 std::vector<NurbsCurve> finite_arcs(const NurbsCurve& curve, double length, std::span<const glm::dvec3> around) {
-  if (!(length > 0.0) || !std::isfinite(length)) {
-    throw InvalidShape("length = " + text_of(length) + " is not a positive length");
-  }
+  require_positive(length, "length");
   if (around.empty() && has_one_sign(curve.points(), &glm::dvec4::w)) return cut_at_gaps(with_positive_weights(curve));
   const Room room = around.empty() ? room_around(finite_points(curve.points()), length) : room_around(around, length);
   std::vector<Chain> chains = chains_of(curve, room);

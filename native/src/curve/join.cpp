@@ -6,7 +6,9 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "numeric/linear_equations.hpp"
 #include "rescale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -22,6 +24,9 @@ namespace splinecore {
 namespace {
 
 constexpr int kMostConditions = 3;
+
+/// What is so small beside the largest pivot of the conditions is rounding.
+constexpr double kDependent = 0x1p-44;
 
 int conditions_of(Smoothness smoothness) {
   return smoothness == Smoothness::c2 ? 3 : smoothness == Smoothness::c1 ? 2 : 1;
@@ -132,60 +137,54 @@ std::array<glm::dvec3, kMostConditions> derivatives_at(const NurbsCurve& curve, 
   return found;
 }
 
-/// Solves a symmetric positive system of at most three rows (Gauss).
-std::array<glm::dvec3, kMostConditions> solved(std::array<std::array<double, kMostConditions>, kMostConditions> rows,
-                                               std::array<glm::dvec3, kMostConditions> right, int count) {
-  for (int k = 0; k < count; ++k) {
-    for (int i = k + 1; i < count; ++i) {
-      const double factor = rows[i][k] / rows[k][k];
-      for (int j = k; j < count; ++j) rows[i][j] -= factor * rows[k][j];
-      right[i] -= factor * right[k];
-    }
-  }
-  for (int k = count - 1; k >= 0; --k) {
-    for (int j = k + 1; j < count; ++j) right[k] -= rows[k][j] * right[j];
-    right[k] /= rows[k][k];
-  }
-  return right;
+/// What a condition lacks once the points have moved, of what is wanted.
+/// @throws InvalidShape where that is more than rounding
+void require_met(const glm::dvec3& lacking, const glm::dvec3& wanted, double size) {
+  constexpr double kRounding = 0x1p-40;
+  constexpr double kPart = 0x1p-20;
+  if (length_of(lacking) <= std::max(kPart * length_of(wanted), kRounding * size)) return;
+  throw InvalidShape("points at infinity next to the joint leave too few that can move");
 }
 
 /// Moves the points next to the joint by the least that makes `count` derivatives, from the 0th, agree.
 void meet(NurbsCurve& a, NurbsCurve& b, int count) {
   const double u = a.domain().end;
-  EndFunctions at_a = end_functions(a, u, Side::left, count);
-  EndFunctions at_b = end_functions(b, u, Side::right, count);
+  const EndFunctions at_a = end_functions(a, u, Side::left, count);
+  const EndFunctions at_b = end_functions(b, u, Side::right, count);
   const auto left = derivatives_at(a, at_a, a.points().size() - 1);
   const auto right = derivatives_at(b, at_b, 0);
+  const std::size_t movable = at_a.shares.size();
+  LinearEquations equations(movable + at_b.shares.size(), 3);
   // Derivatives grow with the inverse of the span: each condition is scaled to the size of its shares.
-  std::array<std::array<double, kMostConditions>, kMostConditions> rows{};
+  std::array<std::vector<double>, kMostConditions> factors;
   std::array<glm::dvec3, kMostConditions> wanted{};
-  std::array<double, kMostConditions> scale{};
   for (int k = 0; k < count; ++k) {
-    for (const EndFunctions* end : {&at_a, &at_b}) {
-      for (const auto& share : end->shares) scale[k] = std::max(scale[k], std::abs(share[k]));
-    }
-    wanted[k] = (right[k] - left[k]) / scale[k];
+    for (const auto& share : at_a.shares) factors[k].push_back(share[k]);
+    for (const auto& share : at_b.shares) factors[k].push_back(-share[k]);
+    double scale = 0.0;
+    for (const double factor : factors[k]) scale = std::max(scale, std::abs(factor));
+    for (double& factor : factors[k]) factor /= scale;
+    wanted[k] = (right[k] - left[k]) / scale;
+    equations.add(factors[k], std::array{wanted[k].x, wanted[k].y, wanted[k].z});
   }
+  const std::vector<double> found = equations.least_squares(kDependent);
+  const auto step = [&](std::size_t j) { return glm::dvec3(found[3 * j], found[3 * j + 1], found[3 * j + 2]); };
+  const double size = std::max(largest_coordinate(a.points()), largest_coordinate(b.points()));
   for (int k = 0; k < count; ++k) {
-    for (int l = 0; l < count; ++l) {
-      for (const EndFunctions* end : {&at_a, &at_b}) {
-        for (const auto& share : end->shares) rows[k][l] += share[k] / scale[k] * share[l] / scale[l];
-      }
-    }
+    glm::dvec3 lacking = wanted[k];
+    for (std::size_t j = 0; j < factors[k].size(); ++j) lacking -= factors[k][j] * step(j);
+    require_met(lacking, wanted[k], size);
   }
-  const auto multipliers = solved(rows, wanted, count);
-  const auto moved = [&](const NurbsCurve& curve, const EndFunctions& end, double sign) {
+  const auto moved = [&](const NurbsCurve& curve, std::size_t first, std::size_t steps, std::size_t from) {
     std::vector<glm::dvec4> points(curve.points().begin(), curve.points().end());
-    for (std::size_t j = 0; j < end.shares.size(); ++j) {
-      glm::dvec3 step(0.0);
-      for (int k = 0; k < count; ++k) step += sign * end.shares[j][k] / scale[k] * multipliers[k];
-      glm::dvec4& point = points[end.first + j];
-      if (point.w != 0.0) point = glm::dvec4(glm::dvec3(point) + step, point.w);
+    for (std::size_t j = 0; j < steps; ++j) {
+      glm::dvec4& point = points[first + j];
+      if (point.w != 0.0) point = glm::dvec4(glm::dvec3(point) + step(from + j), point.w);
     }
     return curve.with_points(std::move(points));
   };
-  a = moved(a, at_a, 1.0);
-  b = moved(b, at_b, -1.0);
+  a = moved(a, at_a.first, movable, 0);
+  b = moved(b, at_b.first, at_b.shares.size(), movable);
 }
 
 /// Turns the outer legs of both polygons into the direction between them.

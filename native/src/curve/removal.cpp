@@ -7,6 +7,7 @@
 
 #include "base/as_many.hpp"
 #include "base/given_points.hpp"
+#include "base/require.hpp"
 #include "basis/knot_removal.hpp"
 #include "basis/least_squares.hpp"
 #include "basis/refinement.hpp"
@@ -189,7 +190,7 @@ Approximation<NurbsCurve> without_copies(Approximation<NurbsCurve> best, double 
 }
 
 Approximation<NurbsCurve> remove_knots(const NurbsCurve& curve, double tolerance) {
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
+  require_tolerance(tolerance);
   const NurbsCurve whole = curve.periodic() ? with_whole_seam(curve) : curve;
   const auto without = [](const NurbsCurve& some, std::span<const int> order) {
     return some.periodic() ? rolled_up(without_listed(unrolled(some), order)) : without_listed(some, order);

@@ -8,6 +8,7 @@
 
 #include "along.hpp"
 #include "base/length.hpp"
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
 #include "fitted_points.hpp"
@@ -190,7 +191,7 @@ std::vector<NearDirection> choices_of(const PointGrid& grid, Axis axis, NearDire
 
 Approximation<NurbsPatch> approximate_within(const PointGrid& grid, NearDirection u, NearDirection v, double tolerance,
                                              bool fixed_ends) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   require_grid(grid);
   const std::size_t choices = u.parameters.empty() || v.parameters.empty() ? 2 : 1;
   const auto choices_u = choices_of(grid, Axis::u, u);

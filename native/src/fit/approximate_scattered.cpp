@@ -251,7 +251,7 @@ Approximation<NurbsPatch> approximate(std::span<const glm::dvec3> points, std::s
 
 Approximation<NurbsPatch> approximate_within(std::span<const glm::dvec3> points, std::span<const glm::dvec2> parameters,
                                              const NetSize& size, double tolerance, const ScatteredOptions& options) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   require_options(points, options);
   auto at = parameters_of(points, parameters);
   along("u", [&] { require_count(size.count_u, size.degree_u, false); });

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/require.hpp"
 #include "base/sort_by.hpp"
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
@@ -276,7 +277,7 @@ Approximation<NurbsCurve> within(std::span<const glm::dvec3> points, std::span<c
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, std::span<const double> parameters,
                                              int degree, Closing closing, double tolerance, std::size_t most,
                                              const ApproximationOptions& options) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   require_approximation(points, parameters, closing, options);
   const std::vector<double> given(parameters.begin(), parameters.end());
   return within(points, {&given, 1}, degree, closing, tolerance, most, options);
@@ -284,7 +285,7 @@ Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points,
 
 Approximation<NurbsCurve> approximate_within(std::span<const glm::dvec3> points, int degree, Closing closing,
                                              double tolerance, std::size_t most, const ApproximationOptions& options) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   const std::array choices{parameters_of(points, Parameterization::chordal, closing),
                            calm_parameters(points, degree, closing)};
   require_approximation(points, choices.front(), closing, options);

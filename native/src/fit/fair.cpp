@@ -5,6 +5,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "curve/rescale.hpp"
 #include "fairest.hpp"
@@ -106,7 +107,7 @@ class Fairing {
 }  // namespace
 
 Approximation<NurbsCurve> fair(const NurbsCurve& curve, double tolerance, KeptEnds ends) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   require_curve(curve);
   const Fairing fairing(curve, ends);
   auto best = fairest(curve, tolerance, [&](double exponent) { return fairing.faired(exponent); });

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "curve/rescale.hpp"
 #include "fairest.hpp"
@@ -89,7 +90,7 @@ NurbsPatch moved(const NurbsPatch& patch, std::span<const glm::dvec3> moves, int
 }  // namespace
 
 Approximation<NurbsPatch> fair(const NurbsPatch& patch, double tolerance, KeptEnds u, KeptEnds v) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   require_patch(patch);
   const int exponent = exponent_of(patch);
   std::vector<glm::dvec3> net = net_of(patch, exponent);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "control_counts.hpp"
 #include "curve/common_origin.hpp"
@@ -53,7 +54,7 @@ Approximation<NurbsCurve> rebuild(const NurbsCurve& curve, int degree, std::size
 
 Approximation<NurbsCurve> rebuild_within(const NurbsCurve& curve, int degree, double tolerance, std::size_t most,
                                          KeptEnds ends) {
-  require_tolerance(tolerance);
+  require_positive(tolerance);
   const std::size_t held = curve.periodic() ? 0 : ends == KeptEnds::tangents && degree > 1 ? 4 : 2;
   require_count(most, degree, curve.periodic());
   require_room_for_ends(most, held);

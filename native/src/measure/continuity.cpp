@@ -6,6 +6,7 @@
 
 #include "base/angle.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "curve/rescale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/order.hpp"
@@ -136,10 +137,6 @@ int common_derivatives(const End& left, const End& right, double tolerance) {
     if (glm::length(right.derivatives[k] - left.derivatives[k]) > std::max(slack, rounding)) return k - 1;
   }
   return order;
-}
-
-void require_tolerance(double tolerance) {
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
 }
 
 /// What of point, direction and curvature two ends have in common: 0, 1 or 2.

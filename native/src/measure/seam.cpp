@@ -10,6 +10,7 @@
 #include "base/angle.hpp"
 #include "base/placement.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "flank.hpp"
 #include "patch/rescale.hpp"
 #include "seam_angle.hpp"
@@ -163,7 +164,7 @@ Seam seam_between(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Borde
 SeamContinuity seam_continuity(const NurbsPatch& a, Border side_a, const NurbsPatch& b, Border side_b,
                                double tolerance, std::optional<std::span<const double>> places,
                                std::optional<bool> reversed) {
-  if (!(tolerance >= 0.0)) throw InvalidShape("tolerance = " + text_of(tolerance) + " is below 0");
+  require_tolerance(tolerance);
   require_side(a, side_a, "first");
   require_side(b, side_b, "second");
   const Seam seam = seam_between(a, side_a, b, side_b, reversed);

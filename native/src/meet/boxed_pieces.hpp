@@ -67,13 +67,5 @@ class BoxedPieces {
 const BoxedPieces& boxed_pieces(const NurbsCurve& curve);
 const BoxedPieces& boxed_pieces(const NurbsPatch& patch);
 
-/// The parameter of a shape at t in [0, 1] of one of its intervals.
-inline double parameter_at(const Interval& domain, double t) noexcept {
-  if (t == 0.0) return domain.start;
-  if (t == 1.0) return domain.end;
-  const double u = (1.0 - t) * domain.start + t * domain.end;
-  return u < domain.start ? domain.start : u > domain.end ? domain.end : u;
-}
-
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -8,7 +8,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
-#include "boxed_pieces.hpp"
+#include "piece_box.hpp"
 #include "piece_side.hpp"
 
 namespace splinecore {
@@ -109,7 +109,7 @@ bool CurvePieces::is_rounding(double speed, const CurveSpot& spot) const noexcep
 }
 
 double CurvePieces::parameter(const CurveSpot& spot) const {
-  return parameter_at(knots_.span_interval(static_cast<int>(spot.piece)), spot.t);
+  return knots_.span_interval(static_cast<int>(spot.piece)).at(spot.t);
 }
 
 bool CurvePieces::are_one(const CurveSpot& a, const CurveSpot& b, double tolerance) const {

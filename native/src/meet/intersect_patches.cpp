@@ -7,10 +7,10 @@
 
 #include "base/length.hpp"
 #include "base/printable.hpp"
+#include "base/require.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
 #include "operand_order.hpp"
-#include "patch/tolerance.hpp"
 #include "patch_march.hpp"
 #include "patch_match.hpp"
 #include "patch_pairs.hpp"
@@ -29,7 +29,7 @@ namespace {
 
 /// How far curves may be from the patches, in their space.
 double section_tolerance(const NearSpace& space, std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   constexpr double kOfSize = 0x1p-20;
   constexpr double kRounding = 0x1p-36;
   return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize, kRounding + 4.0 * space.rounding());

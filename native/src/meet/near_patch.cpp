@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "boxed_pieces.hpp"
 #include "piece_side.hpp"
 #include "slope_form.hpp"
 
@@ -53,8 +52,8 @@ Slopes<2> NearPatch::slopes(const PiecePlace& place) const noexcept {
 }
 
 std::array<double, 2> NearPatch::parameters(const PiecePlace& place) const noexcept {
-  return {parameter_at(span(Axis::u, place.piece[0]), place.at[0]),
-          parameter_at(span(Axis::v, place.piece[1]), place.at[1])};
+  return {span(Axis::u, place.piece[0]).at(place.at[0]),
+          span(Axis::v, place.piece[1]).at(place.at[1])};
 }
 
 }  // namespace splinecore

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "patch/tolerance.hpp"
+#include "base/require.hpp"
 
 namespace splinecore {
 
@@ -144,7 +144,7 @@ double distance_of_one(double tolerance, double rounding) noexcept {
 }
 
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   constexpr double kRounding = 0x1p-46;
   return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize * space.size(), kRounding + 4.0 * space.rounding());
 }

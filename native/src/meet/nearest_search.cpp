@@ -184,7 +184,7 @@ bool NearestSearch<kAxes>::may_hold(double squared, const PiecePart& part, const
   if (squared < below_) return true;
   if (squared > above_) return false;
   for (int a = 0; a < kAxes; ++a) {
-    const double start = parameter_at(part.domain[a], range[a].start);
+    const double start = part.domain[a].at(range[a].start);
     if (start != best_.parameters[a]) return start < best_.parameters[a];
   }
   return false;
@@ -236,7 +236,7 @@ void NearestSearch<kAxes>::look_into(const PiecePart& part, const glm::dvec4* ne
   bool is_narrow = true;
   for (int a = 0; a < kAxes; ++a) {
     is_short = is_short && range[a].length() <= kShortest;
-    const double width = parameter_at(part.domain[a], range[a].end) - parameter_at(part.domain[a], range[a].start);
+    const double width = part.domain[a].at(range[a].end) - part.domain[a].at(range[a].start);
     is_narrow = is_narrow && width <= apart_[a];
   }
   form_.set(net, point_);
@@ -339,7 +339,7 @@ void NearestSearch<kAxes>::offer(const PiecePart& part, const Range& range, cons
   NearestPlace place{{}, squared, point_ + offset};
   for (int a = 0; a < kAxes; ++a) {
     const double t = (1.0 - at[a]) * range[a].start + at[a] * range[a].end;
-    place.parameters[a] = parameter_at(part.domain[a], t);
+    place.parameters[a] = part.domain[a].at(t);
   }
   bool is_before = best_.squared > above_ || squared < best_.squared;
   for (int a = 0; a < kAxes && best_.squared <= above_; ++a) {

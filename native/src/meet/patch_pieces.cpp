@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boxed_pieces.hpp"
+#include "piece_box.hpp"
 
 namespace splinecore {
 
@@ -76,7 +76,7 @@ std::vector<PatchSpot> PatchPieces::twins(const PatchSpot& spot, double near) co
 
 std::array<double, 2> PatchPieces::parameters(const PatchSpot& spot) const {
   const auto along = [&](Axis axis, double t) {
-    return parameter_at(knots(axis).span_interval(static_cast<int>(span(spot.piece, axis))), t);
+    return knots(axis).span_interval(static_cast<int>(span(spot.piece, axis))).at(t);
   };
   return {along(Axis::u, spot.at[0]), along(Axis::v, spot.at[1])};
 }

@@ -125,7 +125,7 @@ void RaySearch::offer(const NearRay& ray, std::size_t part, Place at, const Inte
   const PiecePart& of = pieces_.parts()[part];
   const auto parameter = [&](std::size_t k) {
     const double t = (1.0 - at[k]) * of.range[k].start + at[k] * of.range[k].end;
-    return within_period(parameter_at(of.domain[k], t), patch_.knot_vector(k == 0 ? Axis::u : Axis::v));
+    return within_period(of.domain[k].at(t), patch_.knot_vector(k == 0 ? Axis::u : Axis::v));
   };
   const glm::dvec3 normal = glm::cross(here.first[0], here.first[1]);
   const double slope = std::abs(glm::dot(normal, ray.way)) / glm::length(normal);

@@ -3,9 +3,7 @@
 #include <limits>
 
 #include "base/require.hpp"
-#include "boxed_pieces.hpp"
 #include "near_distance.hpp"
-#include "patch/tolerance.hpp"
 #include "piece_side.hpp"
 #include "slopes.hpp"
 #include "splinecore/base/errors.hpp"
@@ -35,7 +33,7 @@ class CurvePlaces {
     std::vector<StationaryOnCurve> found;
     for (const LinePlace& place : stationary_places(line_, from_.near().at, space_.rounding(), constant)) {
       const glm::dvec3 point = point_at(place.piece, place.t);
-      found.push_back({parameter_at(span(place.piece), place.t), from_.leave(point), from_.distance_to(point),
+      found.push_back({span(place.piece).at(place.t), from_.leave(point), from_.distance_to(point),
                        kind_of(place.before, place.after)});
     }
     if (found.empty() && is_at_infinity()) throw PointAtInfinity("no point of the shape is finite");
@@ -76,7 +74,7 @@ std::vector<StationaryOnCurve> stationary_points(const NurbsCurve& curve, const 
 
 std::vector<NearestOnCurve> nearest_all(const NurbsCurve& curve, const glm::dvec3& point,
                                         std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   require_finite({&point.x, 3}, "point");
   NearestOnCurve least;
   nearest(curve, {&point, 1}, {&least, 1}, 1);

@@ -1,7 +1,6 @@
 #include <limits>
 
 #include "base/require.hpp"
-#include "patch/tolerance.hpp"
 #include "patch_places.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/meet/stationary.hpp"
@@ -27,7 +26,7 @@ std::vector<StationaryOnPatch> stationary_points(const NurbsPatch& patch, const 
 
 std::vector<NearestOnPatch> nearest_all(const NurbsPatch& patch, const glm::dvec3& point,
                                         std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   require_finite({&point.x, 3}, "point");
   NearestOnPatch least;
   nearest(patch, {&point, 1}, {&least, 1}, 1);

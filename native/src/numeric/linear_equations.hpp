@@ -23,6 +23,8 @@ class LinearEquations {
   std::vector<double> least_squares(double dependent = std::numeric_limits<double>::epsilon()) const;
 
  private:
+  std::vector<double> along_factors() const;
+
   std::size_t unknowns_;
   std::size_t columns_;
   std::vector<double> left_;  ///< row by row

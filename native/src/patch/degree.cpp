@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/require.hpp"
 #include "basis/elevation.hpp"
 #include "curve/of_lower_degree.hpp"
 #include "lines.hpp"
@@ -40,7 +41,7 @@ NurbsPatch elevated(const NurbsPatch& patch, Axis axis, int times) {
 }
 
 Approximation<NurbsPatch> reduced(const NurbsPatch& patch, Axis axis, int times, std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   require_lower(times, patch.knot_vector(axis).degree());
   NurbsPatch lower = along(patch, axis, [&](const NurbsCurve& line) { return of_lower_degree(line, times); });
   return within(tolerance, patch, std::move(lower), kRefusal);
@@ -53,7 +54,7 @@ BezierPatch elevated(const BezierPatch& patch, Axis axis, int times) {
 }
 
 Approximation<BezierPatch> reduced(const BezierPatch& patch, Axis axis, int times, std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   require_lower(times, patch.degree(axis));
   NurbsPatch lower = along(patch.nurbs(), axis, [&](const NurbsCurve& line) {
     return reduced(as_bezier(line), times).value.nurbs();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/given_points.hpp"
+#include "base/require.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -68,7 +69,7 @@ bool do_ends_meet(const NurbsPatch& patch, Axis axis) {
 }  // namespace
 
 Approximation<NurbsPatch> made_periodic(const NurbsPatch& patch, Axis axis, std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   if (patch.knot_vector(axis).periodic()) return {patch, 0.0};
   constexpr double kRounding = 0x1p-46;
   const double slack = tolerance.value_or(kRounding * largest_coordinate(patch.points()));

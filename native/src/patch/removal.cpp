@@ -5,6 +5,7 @@
 
 #include "base/as_many.hpp"
 #include "base/given_points.hpp"
+#include "base/require.hpp"
 #include "basis/removal_rounds.hpp"
 #include "basis/selection.hpp"
 #include "curve/without_knot.hpp"
@@ -27,7 +28,7 @@ NurbsPatch removed(const NurbsPatch& patch, Axis axis, double u, int times) {
 
 Approximation<NurbsPatch> remove_knot(const NurbsPatch& patch, Axis axis, double u, int times,
                                       std::optional<double> tolerance) {
-  require_tolerance(tolerance);
+  if (tolerance) require_tolerance(*tolerance);
   return within(tolerance, patch, removed(patch, axis, u, times), "the knot cannot be removed");
 }
 

@@ -8,9 +8,6 @@
 #pragma GCC visibility push(hidden)
 namespace splinecore {
 
-/// @throws InvalidShape unless the tolerance, if there is one, is 0 or more.
-void require_tolerance(std::optional<double> tolerance);
-
 /// A patch that stands for another, and how far the two lie apart.
 /// @param what  the beginning of the sentence with which it is refused
 /// @throws ToleranceNotReached

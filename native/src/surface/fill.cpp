@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/positive_weights.hpp"
+#include "base/require.hpp"
 #include "border_loop.hpp"
 #include "build/fit_options.hpp"
 #include "fairness.hpp"
@@ -58,7 +59,7 @@ void require_sides(std::span<const FillSide> sides, const FillOptions& options) 
       throw InvalidShape("the side of a neighbor is the seam of a periodic direction: it is not an edge");
     }
   }
-  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (options.tolerance) require_positive(*options.tolerance);
   if (!(options.angle > 0.0)) throw InvalidShape("the angle " + text_of(options.angle) + " is not above 0");
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/length.hpp"
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "creases.hpp"
 #include "fillet_between.hpp"
@@ -130,7 +131,7 @@ std::vector<RailNumber> over_unit(std::span<const RailNumber> radii, const Inter
 
 RoundedEdge fillet(const NurbsPatch& first, Border first_side, const NurbsPatch& second, Border second_side,
                    std::span<const RailNumber> radii, std::optional<double> tolerance) {
-  if (tolerance) require_tolerance(*tolerance);
+  if (tolerance) require_positive(*tolerance);
   for (const auto& [patch, side] : {std::pair(&first, first_side), std::pair(&second, second_side)}) {
     if (patch->knot_vector(axis_of(side)).periodic()) throw InvalidShape("the side is the seam of a periodic direction: it is not an edge");
   }

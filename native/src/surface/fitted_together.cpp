@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "knot_density.hpp"
 #include "splinecore/base/errors.hpp"
@@ -204,7 +205,7 @@ std::vector<Crease> creases_of(const NurbsCurve& curve, int degree) {
 }
 
 Approximation<std::vector<NurbsCurve>> fitted_together(const FitTogether& what, const FitOne& fit) {
-  require_tolerance(what.tolerance);
+  require_positive(what.tolerance);
   return Together(what, fit).found();
 }
 

@@ -9,6 +9,7 @@
 #include "base/length.hpp"
 #include "base/positive_weights.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "boolean_sum.hpp"
 #include "build/fit_options.hpp"
 #include "fit/row_spline.hpp"
@@ -400,8 +401,8 @@ FoundSurface surface_within(const NetworkTask& task) {
 NetworkSurface network(std::span<const NurbsCurve> along_u, std::span<const NurbsCurve> along_v,
                                   std::optional<double> tolerance, std::span<const LoftNeighbor> neighbors,
                        std::optional<double> gap) {
-  if (tolerance) require_tolerance(*tolerance);
-  if (gap) require_tolerance(*gap, "gap");
+  if (tolerance) require_positive(*tolerance);
+  if (gap) require_positive(*gap, "gap");
   require_neighbors(neighbors);
   const std::vector<glm::dvec4> all = points_of(along_u, along_v);
   const NearSpace space(all);

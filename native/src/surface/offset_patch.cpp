@@ -10,6 +10,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "creases.hpp"
 #include "fitted_patch.hpp"
@@ -124,7 +125,7 @@ bool closes(const NurbsPatch& patch, Axis axis) {
 }  // namespace
 
 Approximation<NurbsPatch> offset(const NurbsPatch& patch, double distance, std::optional<double> tolerance) {
-  if (tolerance) require_tolerance(*tolerance);
+  if (tolerance) require_positive(*tolerance);
   if (!std::isfinite(distance)) throw InvalidShape("the distance is not finite");
   if (distance == 0.0) return {patch, 0.0};
   const NearSpace space(patch.points());

@@ -12,6 +12,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "closes.hpp"
 #include "fitted_rows.hpp"
@@ -39,7 +40,7 @@ constexpr double kQuarter = 0.5 * std::numbers::pi;
 constexpr int kMostQuarters = 4096;
 
 void require_options(const SweepOptions& options) {
-  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (options.tolerance) require_positive(*options.tolerance);
   if (!(options.end_scale > 0.0 && std::isfinite(options.end_scale))) {
     throw InvalidShape("end_scale = " + text_of(options.end_scale) + ": above 0 is expected");
   }

@@ -7,6 +7,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "base/require.hpp"
 #include "build/fit_options.hpp"
 #include "closes.hpp"
 #include "fitted_rows.hpp"
@@ -214,7 +215,7 @@ void require_one_way(const Rails& rails) {
 }
 
 void require_options(const TwoRailOptions& options) {
-  if (options.tolerance) require_tolerance(*options.tolerance);
+  if (options.tolerance) require_positive(*options.tolerance);
   if (options.up && !(is_finite(*options.up) && length_of(*options.up) > 0.0)) {
     throw InvalidShape("the upright direction is zero or not finite");
   }

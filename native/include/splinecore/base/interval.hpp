@@ -9,6 +9,15 @@ struct Interval {
 
   double length() const noexcept { return end - start; }
   double middle() const noexcept { return start + 0.5 * (end - start); }
+
+  /// The parameter at t in [0, 1]: exactly the ends at 0 and 1, and never outside.
+  double at(double t) const noexcept {
+    if (t == 0.0) return start;
+    if (t == 1.0) return end;
+    const double u = (1.0 - t) * start + t * end;
+    return u < start ? start : u > end ? end : u;
+  }
+
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
