@@ -216,7 +216,10 @@ def _update_by(index, blocks, changed, turn, done):
     waiting = sorted({number for block in blocks for number in index.followers_of(block)})
     while waiting and index is state.causes:
         number = heapq.heappop(waiting)
-        data = None if index.order[number] in done else _follower(index, number)
+        name = index.order[number]
+        if turn.budget and turn.budget.is_over() and late.put_off_again(name):
+            continue
+        data = None if name in done else _follower(index, number)
         if data is None:
             continue
         done.add(key(data))

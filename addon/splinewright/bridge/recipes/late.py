@@ -68,6 +68,14 @@ def put_off(data):
     data[recipes.KEY][_MARK] = True
 
 
+def put_off_again(name):
+    """Whether a follower, by its key, is late already, and not because a user stopped it: then it waits longer."""
+    if name not in state.late or state.late[name].is_stopped:
+        return False
+    state.put_off_at, state.put_off_by = clock(), ended_operators()
+    return True
+
+
 def is_done(data):
     """A follower is up to date, or it is known why it is not."""
     state.late.pop(key(data), None)
