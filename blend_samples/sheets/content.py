@@ -5,7 +5,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bpy
-import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "lectures/make"))
 import figures                                              # noqa: E402
@@ -51,10 +50,4 @@ def figure_of(scene, told):
     for name in {name for step in told for name in step.overlays}:
         setattr(scene.splinewright_sights, name, True)
     view, points = figures.seen(scene)
-    return figures.draw(view, points, _turn(told, points), WIDTH, HEIGHT, MARGIN).figure
-
-
-def _turn(told, points):
-    """From where the last step that says it is seen best; flat shapes from above."""
-    said = next((step.view for step in reversed(told) if step.view), "")
-    return figures.TURNS[said or ('TOP' if not np.ptp(points[:, 2]) else 'FREE')]
+    return figures.draw(view, points, figures.turn(told, points), WIDTH, HEIGHT, MARGIN).figure

@@ -1,6 +1,8 @@
 """Lessons: every step of each is made, what is asked is wrong before and right after its solution, and leaving leaves nothing."""
 
 import json
+import sys
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -9,6 +11,9 @@ import pytest
 from layouts import Layout, drawn_by
 from shapes import add
 from support import part, scene_state, splinecore as sc
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "blend_samples/lessons"))
+import motion                                               # noqa: E402
 
 shelf, stage, failures, lessons, panel, start = (part(name) for name in (
     'bridge.lessons.shelf', 'bridge.lessons.stage', 'core.base.failures', 'ui.operators.lessons', 'ui.lessons_panel', 'ui.start_panel'))
@@ -238,3 +243,25 @@ def test_answers_that_are_too_long_for_buttons_stand_above_their_numbers(monkeyp
     panel._draw_choices(long, ["a circle", "a line through both"])
     assert short.texts == ["a circle", "a line"] and short.operators == ["splinewright.check_answer"] * 2
     assert long.texts == ["1. a circle", "2. a line through both", "1", "2"] and long.operators == short.operators
+
+
+def test_films_take_5_to_20_seconds(lesson):
+    motions = sum(bool(step.solution) for step in lesson.steps)
+    assert 5.0 <= motion.hold(lesson) * (len(lesson.steps) + motions) + motion.SECONDS * motions <= 20.0
+
+
+def test_a_film_shows_every_step_and_moves_what_is_solved():
+    lesson, before = LESSONS['coefficients'], scene_state()
+    frames = list(motion.frames_of(lesson))
+    assert scene_state() == before
+    assert [frame.number for frame in frames] == [0, 1, 2, 3, *[4] * (motion.FRAMES + 1), 5]
+    assert all(frame.figure.groups for frame in frames)
+    speeds = [float(frame.lines[0].split(": ")[1].split(", ")[1]) for frame in frames[4:-1]]
+    assert speeds[0] == 0.75 and speeds[-1] == 0.0 and speeds == sorted(speeds, reverse=True) and len(set(speeds)) == len(speeds)
+
+
+def test_a_film_goes_over_a_moment_without_a_shape():
+    lesson = LESSONS['seven-ways']
+    number, solved = next((i, step) for i, step in enumerate(lesson.steps) if any('distance' in one.settings for one in step.solution))
+    frames = [frame for frame in motion.frames_of(lesson) if frame.number == number]
+    assert len(frames) in (2, motion.FRAMES + 1) and solved

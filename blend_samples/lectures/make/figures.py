@@ -29,6 +29,12 @@ def draw(view, points, turn, width, height, margin):
     return drawn.figure(view, page.around(points, turn, width, height, margin), drawn.Wanted(curves=0.4, isocurves=0.12, letters=2.8, points=1.1))
 
 
+def turn(told, points):
+    """Of steps of a lesson: from where the last one that says it is seen best; flat shapes from above."""
+    said = next((step.view for step in reversed(told) if step.view), "")
+    return TURNS[said or ('TOP' if not np.ptp(points[:, 2]) else 'FREE')]
+
+
 def _points(ob, with_net):
     """(n, 3): of a shape, and of its control net where it is drawn, in the world."""
     world = np.array(ob.matrix_world, dtype=np.float64)
