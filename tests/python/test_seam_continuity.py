@@ -335,7 +335,7 @@ REFUSED = [
     (("u_end", square(), 1), {}, "second_side = 1 is not"),
     (("u_end", wavy_patch(), "v_start"), {}, "side of the second patch is the seam of a periodic direction"),
     (("u_end", INFINITE, "u_end"), {}, "side of the second patch lies at infinity"),
-    (("u_end", square(), "u_start"), {"tolerance": -1}, "tolerance = -1 is below 0"),
+    (("u_end", square(), "u_start"), {"tolerance": -1}, "tolerance = -1 is not 0 or more"),
     (("u_end", square(), "u_start"), {"tolerance": NAN}, "tolerance = nan"),
     (("u_end", square(), "u_start"), {"parameters": [0, 1.5]}, r"parameters\[1\] = 1.5 is outside \[0, 1\]"),
     (("u_end", square(), "u_start"), {"parameters": [NAN]}, r"parameters\[0\] = nan"),
