@@ -51,7 +51,7 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
                 colors.draw_legend(self.layout)
         if active_shape.count_of(data) > 1:
             self.layout.prop(data.splinewright, "show_numbers")
-        _draw_in_columns(self.layout, ["Gap", "Angle", "Curvature"])
+        _draw_in_columns(self.layout, list(map(say, ("Gap", "Angle", "Curvature"))))
         _draw_joints(self.layout, survey, _Locks(self.layout, data))
 
 
@@ -59,7 +59,7 @@ def _draw_in_columns(layout, items):
     """One text, or three of which the last has most room."""
     for item, share in zip(items, (0.32, 0.45, 1.0) if len(items) > 1 else (1.0,)):
         layout = layout.split(factor=share)
-        layout.label(text=say(item))
+        layout.label(text=item)
 
 
 class _Locks:
@@ -141,7 +141,7 @@ def numbers(joint):
     """Gap, angle in degrees and difference of curvatures as texts; a word for a joint at infinity."""
     measured = joint.continuity
     if measured is None:
-        return ["at infinity: not measured"]
+        return [say("at infinity: not measured")]
     return [_short(measured.gap), _short(math.degrees(measured.angle)) + "°", _short(measured.curvature_difference)]
 
 

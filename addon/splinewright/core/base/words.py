@@ -56,8 +56,8 @@ def use(spoken):
 
 def say(text):
     """A text as it is shown."""
-    catalog = _spoken()
-    return text if catalog is None or not text else _say(catalog, text)
+    catalog = _spoken() if text else None
+    return text if catalog is None else _say(catalog, text)
 
 
 def _say(catalog, text):
