@@ -36,7 +36,7 @@ class Reading:
             found.update(b"%d %d " % (is_array, len(content)) + content)
         return found.digest()
 
-    @property
+    @cached_property
     def size(self):
         """How many numbers it has."""
         return sum(value.size for value in self.contents.values() if isinstance(value, np.ndarray))
@@ -63,11 +63,9 @@ def of(data, group):
 
 def _remember(name, reading):
     state.readings.pop(name, None)
-    room = _NUMBERS - reading.size
-    sizes = {one: known.size for one, known in state.readings.items()}
-    while sizes and sum(sizes.values()) > room:
-        oldest = next(iter(sizes))
-        del sizes[oldest], state.readings[oldest]
+    total = reading.size + sum(known.size for known in state.readings.values())
+    while state.readings and total > _NUMBERS:
+        total -= state.readings.pop(next(iter(state.readings))).size
     return remember(state.readings, name, reading, _KEPT)
 
 
