@@ -72,6 +72,7 @@ def put_off_again(name):
     """Whether a follower, by its key, is late already, and not because a user stopped it: then it waits longer."""
     if name not in state.late or state.late[name].is_stopped:
         return False
+    state.late[name] = Delay()          # another one: what makes it of earlier inputs is called off
     state.put_off_at, state.put_off_by = clock(), ended_operators()
     return True
 
