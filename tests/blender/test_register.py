@@ -75,7 +75,7 @@ def test_the_zip_holds_only_what_runs_and_the_manual():
         names = archive.namelist()
     assert {name.split('/')[0] for name in names} == {'splinewright'}
     others = [name for name in names if not name.startswith('splinewright/licenses/')]
-    assert {Path(name).suffix for name in others} <= {'.py', '.so', '.json', '.toml', '.md', '.html', '.css', '.webp', '.dat', '.blend', '.po', ''}
+    assert {Path(name).suffix for name in others} <= {'.py', '.so', '.json', '.toml', '.md', '.html', '.css', '.webp', '.svg', '.dat', '.blend', '.po', ''}
     assert {Path(name).suffix for name in set(names) - set(others)} <= {'.txt', ''}
     assert not any('test' in name.replace('self_test', '') for name in names)
 
