@@ -74,13 +74,13 @@ def _step(scene, lesson, number, still):
 
 
 def _lines(scene, step):
-    """The lines that the step watches; one whose shapes have no such number is left out of a film, as the panel would say why."""
+    """The lines that the step watches, or why one has no numbers, as the panel has them."""
     found = []
     for watch in step.watch:
         try:
             found.append(str(checking.watched(watch, stage.shapes_of(scene))))
-        except failures.FAILURES:
-            continue
+        except failures.FAILURES as error:
+            found.append(str(failures.sentence(error)))
     return tuple(found)
 
 
@@ -104,19 +104,14 @@ class _Motion:
                 self._change(data, *self._starts[name], *self._ends[name], at)
             except failures.FAILURES:
                 continue                # on its way there is no such shape, as an offset by 0: it stays for this moment
-            follow.refresh({data}, self._graph())
+            follow.refresh({data}, stage.graph(self._scene))
 
     def _change(self, data, start, settings, end, others, at):
         if recipes.follows(data):
             follow.set_parameters(data, {key: _between(value, others[key], at) for key, value in settings.items()
-                                         if _is_number(value) and value != others[key]}, self._graph())
+                                         if _is_number(value) and value != others[key]}, stage.graph(self._scene))
         else:
             shape.set_definition(data, _definition(start, end, at))
-
-    def _graph(self):
-        layer = self._scene.view_layers[0]
-        layer.update()
-        return layer.depsgraph
 
     def _state(self):
         """{name: (definition, settings)}."""

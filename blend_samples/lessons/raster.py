@@ -3,6 +3,10 @@
 import numpy as np
 from PIL import Image, ImageChops, ImageDraw
 
+from making import part
+
+figures = part('core.figures.figure')
+
 #: Points of a curve, and how much larger it is drawn.
 _POINTS, _LARGER = 16, 2
 
@@ -15,9 +19,9 @@ def image(figure, pixels):
     for group in figure.groups:
         for item in group.items:
             color = tuple(round(255 * channel) for channel in item.color)
-            if hasattr(item, 'diameter'):
+            if isinstance(item, figures.Dot):
                 _dot(drawing, np.multiply(item.center, scale), item.diameter * scale, color)
-            elif hasattr(item, 'width'):
+            elif isinstance(item, figures.Stroke):
                 for path in item.paths:
                     _line(drawing, _corners(path) * scale, item.width * scale, color)
             else:

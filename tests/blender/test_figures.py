@@ -126,6 +126,24 @@ def test_meshes_hide_and_are_not_drawn():
     assert {group.name for group in made.figure.groups} == {"behind"} and "mesh" in made.left_out["plane"]
 
 
+@pytest.mark.parametrize('offset', (0.0, 3e4, -1e6))
+def test_a_ray_passes_any_number_of_open_meshes_and_ends_at_one_that_hides(offset):
+    """Far from the origin Blender's places are coarse: a ray must not meet one face for ever, nor pass one unseen."""
+    size, middle = max(1.0, abs(offset) / 1e4), np.array([offset, offset, 0.0])
+    for name, count, shift in (("open", 150, 0.0), ("plane", 1, 160.0 * size)):
+        corners = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], float) * size
+        places = np.concatenate([corners + (0, 0, shift + i * size) for i in range(count)]) + middle
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(places.tolist(), [], [tuple(range(4 * i, 4 * i + 4)) for i in range(count)])
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new(name, mesh))
+    bpy.data.objects["open"].display_type = 'WIRE'
+    add(sc.BezierCurve(np.array([(-1.4, 0.1, -1), (1.4, 0.1, -1)]) * size + middle), "behind")
+    seen = page.around(np.array([(-2.0, -1.5, 0), (2, 1.5, 0)]) * size + middle, np.eye(3), 160.0, 120.0, 0.0)
+    assert len(strokes(drawing(seen=seen), "behind")[0].paths) == 2
+    bpy.data.objects["plane"].display_type = 'WIRE'
+    assert len(strokes(drawing(seen=seen), "behind")[0].paths) == 1
+
+
 def test_a_front_and_a_back_of_a_sphere():
     bpy.ops.splinewright.add_sphere()
     front = sum(len(path.steps) for item in strokes(drawing(), bpy.context.object.name) for path in item.paths)

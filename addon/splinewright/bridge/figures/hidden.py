@@ -9,6 +9,8 @@ from ..cage import net_object
 _LIFT = 1.0
 #: How objects are shown that hide nothing.
 _OPEN = 'WIRE', 'BOUNDS'
+#: How far behind what it met a ray begins again, as a part of its length, and of the place: Blender counts in single precision.
+_FARTHER, _ROUNDING = 1e-5, 5e-7
 
 
 def sight(seen, scene, depsgraph):
@@ -34,5 +36,6 @@ def _is_met(scene, depsgraph, place, along, start, end):
             return False
         if not (net_object.is_net(ob) or ob.display_type in _OPEN):
             return True
-        start = float((np.array(met) - place) @ along) * (1.0 + 1e-5)
+        reached = max(float((np.array(met) - place) @ along), start)
+        start = reached + max(_FARTHER * reached, _ROUNDING * float(np.abs(met).max()))
     return False

@@ -99,9 +99,9 @@ def _play(scene, step):
 def _make(scene, make):
     if make.recipe:
         recipe = RECIPES[make.recipe]
-        graph = _graph(scene)
+        current = graph(scene)
         if make.inputs:
-            ob = making.from_objects(recipe, [object_of(scene, name) for name in make.inputs], make.settings, None, scene, graph)
+            ob = making.from_objects(recipe, [object_of(scene, name) for name in make.inputs], make.settings, None, scene, current)
         else:
             data = making.from_points(recipe, make.points or None, make.settings, scene)
             ob = bpy.data.objects.new(data.name, data)
@@ -114,7 +114,7 @@ def _make(scene, make):
     scene.collection.objects.link(ob)
     if make.faces:
         settings.set_count(ob.data, *make.faces)
-    _graph(scene)
+    graph(scene)
 
 
 def change(scene, changes):
@@ -129,13 +129,14 @@ def change(scene, changes):
         elif one.points:
             recipe_edit.set_points(data, one.points)
         elif recipes.follows(data):
-            follow.set_parameters(data, one.settings, _graph(scene))
+            follow.set_parameters(data, one.settings, graph(scene))
         else:
             recipe_edit.set_parameters(data, one.settings)
-        follow.refresh({data}, _graph(scene))
+        follow.refresh({data}, graph(scene))
 
 
-def _graph(scene):
+def graph(scene):
+    """The depsgraph of a lesson's scene, up to date."""
     layer = scene.view_layers[0]
     layer.update()
     return layer.depsgraph

@@ -63,8 +63,7 @@ def put_off(data):
     """A follower is to be brought up to date later."""
     if is_stopped(data):
         problems.set_problem(data, problems.FOLLOWING, "")
-    state.late[key(data)] = Delay()
-    state.put_off_at, state.put_off_by = clock(), ended_operators()
+    _delay(key(data))
     data[recipes.KEY][_MARK] = True
 
 
@@ -72,9 +71,14 @@ def put_off_again(name):
     """Whether a follower, by its key, is late already, and not because a user stopped it: then it waits longer."""
     if name not in state.late or state.late[name].is_stopped:
         return False
-    state.late[name] = Delay()          # another one: what makes it of earlier inputs is called off
-    state.put_off_at, state.put_off_by = clock(), ended_operators()
+    _delay(name)
     return True
+
+
+def _delay(name):
+    """Have a follower wait. Each time it is another Delay, so that what makes it of earlier inputs is called off."""
+    state.late[name] = Delay()
+    state.put_off_at, state.put_off_by = clock(), ended_operators()
 
 
 def is_done(data):

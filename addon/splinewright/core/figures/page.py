@@ -39,7 +39,7 @@ def around(points, turn, width, height, margin):
     seen = points @ turn.T
     low, high = seen.min(axis=0), seen.max(axis=0)
     room = np.array([width, height]) - 2.0 * margin
-    extent = np.maximum(high - low, 1e-9 * max(float(np.abs(seen).max()), 1.0))
+    extent = np.maximum(high - low, 1e-9 * (float(np.abs(seen).max()) or 1.0))
     scale = float((room / extent[:2]).min())
     middle = (low + high) / 2.0
     matrix = np.eye(4)
