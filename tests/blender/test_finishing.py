@@ -159,8 +159,7 @@ def test_what_becomes_of_it_while_it_is_made(gate, how):
     elif how == 'undone':
         bpy.ops.ed.undo()
     else:
-        del source.data['splinewright']             # later versions give a group no other type
-        source.data['splinewright'] = "nothing"
+        store.assign(source.data, store.KEY, "nothing")
     gate.open.set()
     assert ends(go)
     assert not state.late and late.waiting() == []
