@@ -1,9 +1,6 @@
-# compile_in_groups(TARGET): where SPLINECORE_UNITY is on, files of a folder that begin with the same letter are compiled together,
-# but for kernels. A file that is added changes one group.
+# compile_in_groups(TARGET): files of a folder that begin with the same letter are compiled together, but for kernels. A file that
+# is added changes one group.
 function(compile_in_groups target)
-  if(NOT SPLINECORE_UNITY)
-    return()
-  endif()
   get_target_property(files ${target} SOURCES)
   foreach(file ${files})
     if(NOT file MATCHES "/kernels/")

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Packs one zip with a module for every Python, and runs the Blender tests with that very file: all of them on the Blender
-# of Debian 12 (this system); those that a version may change shared by that of Debian 13 and that of Debian unstable, and
-# once more by the official builds but 5.1. Each window is opened on one of Debian's three,
-# workpieces on the oldest or the newest.
+# of Debian 12 (this system); those that a version may change once more, shared by that of Debian 13, that of Debian unstable
+# and the official builds but 5.1. Each window is opened on one of Debian's three, workpieces on the oldest or the newest.
 #   run.sh BUILD CACHE           CACHE keeps the roots of the other releases and the official builds
 #   run.sh BUILD CACHE full      all of it everywhere, with modules by each release's own compiler
 #   run.sh BUILD CACHE plan      only says which official builds there are
@@ -15,6 +14,8 @@ build=$(realpath "$1"); cache=$2; how=${3:-}
 official=(4.2:bookworm 4.5:bookworm 5.0:bookworm 5.1:trixie 5.2:trixie)
 # It has the Python and nearly all else of the one behind it.
 only_full=5.1
+# Releases and official versions that can be had and share the tests.
+others=()
 # The folder of the build, as seen from inside a root.
 inside=/project/${build#"$project"/}
 [ "$inside" != "/project/$build" ] || { echo "the build $build is not inside $project" >&2; exit 2; }
@@ -77,22 +78,23 @@ windows_of() {
 # Tests that no version changes.
 of_any_version() { sed -nE 's/^(test_\w+\.py).*/\1/p' "$here/any_version.txt" | tr '\n' ' '; }
 
-# share_of TURN COUNT: the tests that one of COUNT Blenders leaves to the others.
-share_of() {
+# The tests that one of the others leaves to those beside it; the first Blender leaves none.
+left_by() {
   local i=0 name known; known=" $(of_any_version)"
+  [ "$how" != full ] && [ "$1" != bookworm ] || return 0
   for name in "$project"/tests/blender/test_*.py; do
     name=$(basename "$name")
     if [[ $known = *" $name "* ]]; then echo "$name"; continue; fi
-    [ $((i++ % $2)) = "$1" ] || echo "$name"
+    [ "${others[i++ % ${#others[@]}]}" = "$1" ] || echo "$name"
   done | tr '\n' ' '
 }
 
 said_of_share() { [ "$how" = full ] || echo "without $(wc -w <<<"$1") files, which other Blenders have: ./run matrix full has all"; }
 
 test_debian() {
-  local suite=$1 turn=$2 without= windows
+  local suite=$1 without windows
   windows=$(windows_of "$suite" | tr '\n' ' ')
-  [ "$how" = full ] || [ "$suite" = bookworm ] || without=$(share_of "$turn" ${#suites[@]})
+  without=$(left_by "$suite")
   heading "Debian $suite"
   [ "$how" = full ] || echo "with $(wc -w <<<"$windows") of the windows"
   said_of_share "$without"
@@ -106,30 +108,45 @@ test_debian() {
   fi
 }
 
+# folder_of VERSION RELEASE, as seen from inside the root of that release.
+folder_of() { [ "$2" = bookworm ] && echo "$cache/official/$1" || echo "/opt/official/$1"; }
+
 # official_build VERB VERSION RELEASE: leaves what it is, or why it is not, in $made.
 official_build() {
   local root=
-  case "$3" in
-    bookworm) folder=$cache/official/$2 ;;
-    *) folder=/opt/official/$2 root=$cache/$3 ;;
-  esac
-  made=$("$here/official.sh" "$1" "$2" "$folder" "$root" 8>&-)
+  [ "$3" = bookworm ] || root=$cache/$3
+  made=$("$here/official.sh" "$1" "$2" "$(folder_of "$2" "$3")" "$root" 8>&-)
+}
+
+# What each official version is, or why it is not.
+declare -A is
+make_official() {
+  local entry version code
+  for entry in "${official[@]}"; do
+    version=${entry%:*} code=0
+    if [ "$how" != full ] && [ "$version" = "$only_full" ]; then
+      is[$version]="Blender $version: ./run matrix full alone tries it"
+      continue
+    fi
+    official_build make "$version" "${entry#*:}" || code=$?
+    is[$version]=$made
+    case $code in 0) others+=("$version") ;; 3 | 4) ;; *) failed+=("Blender $version") ;; esac
+  done
 }
 
 test_official() {
-  local version=$1 release=$2 turn=$3 code=0
-  official_build make "$version" "$release" || code=$?
-  heading "$made"
-  case $code in 0) ;; 3 | 4) return ;; *) failed+=("Blender $version"); return ;; esac
-  local program=official/$version/blender without=
-  [ "$how" = full ] || without=$(share_of "$turn" $((${#official[@]} - 1)))
+  local version=$1 release=$2 without folder program=official/$1/blender
+  heading "${is[$version]}"
+  [[ " ${others[*]} " = *" $version "* ]] || return 0
+  without=$(left_by "$version")
   said_of_share "$without"
+  folder=$(folder_of "$version" "$release")
   if [ "$release" = bookworm ]; then
     "$here/official.sh" program "$folder" "$project" "$build/$program"
-    BLENDER=$build/$program SHARED_WITHOUT=$without attempt "$made" "$here/../blender/run.sh" "$build/$zip" "$build/official/$version"
+    BLENDER=$build/$program SHARED_WITHOUT=$without attempt "Blender $version" "$here/../blender/run.sh" "$build/$zip" "$build/official/$version"
   else
     "$here/official.sh" program "$folder" /project "$build/$program"
-    attempt "$made" in_root "$release" sh -c "cd /project && BLENDER=$inside/$program SHARED_WITHOUT='$without' \
+    attempt "Blender $version" in_root "$release" sh -c "cd /project && BLENDER=$inside/$program SHARED_WITHOUT='$without' \
       tests/blender/run.sh $inside/$zip $inside/official/$version"
   fi
 }
@@ -158,9 +175,8 @@ else
   unstable="Debian unstable cannot install its Blender today: ${reason:-$(tail -n 1 "$build/root-sid.log")}"
 fi
 if [ "$how" = prepare ]; then
-  for entry in "${official[@]}"; do
-    [ "${entry%:*}" = "$only_full" ] || { official_build make "${entry%:*}" "${entry#*:}" || true; echo "$made"; }
-  done
+  make_official
+  printf '%s\n' "${is[@]}"
   exit
 fi
 
@@ -177,17 +193,10 @@ rm -f "$build"/splinewright-*.zip
 zip=$(basename "$build"/splinewright-*.zip)
 echo "Packed $zip with $(ls "$build"/modules | wc -l) modules: $(ls "$build"/modules | tr "\n" " ")"
 
-test_debian bookworm 0
-for turn in "${!suites[@]}"; do test_debian "${suites[turn]}" "$turn"; done
+others=("${suites[@]}")
+make_official
+for suite in bookworm "${suites[@]}"; do test_debian "$suite"; done
 [ -z "$unstable" ] || { heading "Debian unstable"; echo "$unstable"; }
-turn=0
-for entry in "${official[@]}"; do
-  if [ "$how" != full ] && [ "${entry%:*}" = "$only_full" ]; then
-    heading "Blender $only_full"
-    echo "./run matrix full alone tries it"
-    continue
-  fi
-  test_official "${entry%:*}" "${entry#*:}" $((turn++))
-done
+for entry in "${official[@]}"; do test_official "${entry%:*}" "${entry#*:}"; done
 
 [ ${#failed[@]} -eq 0 ] || { printf '\nFailed:\n'; printf '  %s\n' "${failed[@]}"; exit 1; }

@@ -68,7 +68,8 @@ build_with() {
   mkdir -p "$folder"
   /usr/bin/cmake -S . -B "$folder" -G Ninja -DPython_EXECUTABLE="$python" -DCMAKE_CXX_COMPILER="$clang" \
     -DCMAKE_CXX_COMPILER_LAUNCHER="$here/compile.sh" -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="$optimized -g1" -DSPLINECORE_PRECOMPILED=ON -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
+    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="$optimized -g1" -DSPLINECORE_PRECOMPILED=ON \
+    -DSPLINECORE_UNITY=ON -DSPLINEWRIGHT_SANITIZE="$sanitizer" -DSPLINEWRIGHT_FUZZ=$fuzz \
     >"$folder/configure.log" 2>&1 || { cat "$folder/configure.log" >&2; exit 1; }
   /usr/bin/cmake --build "$folder" -j 2 --target "$@" >"$folder/build.log" 2>&1 || {
     grep -A 20 -m 3 -E 'error: |FAILED: ' "$folder/build.log" >&2
