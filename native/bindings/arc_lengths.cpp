@@ -45,7 +45,7 @@ py::array_t<double> divide_by_length(const NurbsCurve& curve, const py::object& 
   return new_numbers(std::span(found));
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_lengths(const CurveClasses& cls) {
   cls.def("parameter_at_length", [](const AnyCurve& self, const py::object& s, const py::object& tolerance,
                                     const py::object& cancel) {
             return parameter_at_length(form(self), s, tolerance, cancel);
@@ -67,7 +67,7 @@ void bind_curve(const CurveClasses& cls) {
 }  // namespace
 
 void bind_arc_lengths(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_lengths(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -15,7 +15,7 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-void bind_curve(const CurveClasses& cls) {
+void bind_corner_verbs(const CurveClasses& cls) {
   cls.def("rounded", [](const AnyCurve& self, const py::object& radius, const py::object& shrink, const py::object& cancel) {
             const double of = real(radius, "radius");
             const bool shrinks = boolean(shrink, "shrink");
@@ -33,7 +33,7 @@ py::tuple tuple_of(const CornerBetween& made) { return py::make_tuple(made.a, ma
 }  // namespace
 
 void bind_corners(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_corner_verbs(CurveClasses(module));
   py::module_ build = module.attr("build");
   build.def("filleted", [](const py::object& a, const py::object& b, const py::object& radius, const py::object& kept,
                            const py::object& normal, const py::object& cancel) {

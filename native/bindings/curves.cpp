@@ -84,7 +84,7 @@ std::vector<splinecore::Tangents> tangents_of(const py::object& value) {
   return tangents;
 }
 
-std::string text_of(const NurbsCurve& curve) {
+std::string shown(const NurbsCurve& curve) {
   return "NurbsCurve(degree=" + std::to_string(curve.degree()) + ", points=" + std::to_string(curve.points().size()) +
          (curve.rational() ? ", rational" : "") + (curve.periodic() ? ", periodic)" : ")");
 }
@@ -153,7 +153,7 @@ void bind_nurbs(py::module_& module) {
             return points;
           });
   bind_to_power(cls);
-  cls.def("__repr__", &text_of);
+  cls.def("__repr__", &shown);
 }
 
 py::tuple flattened(const BezierCurve& curve, const py::object& tolerance) {

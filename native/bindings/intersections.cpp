@@ -100,7 +100,7 @@ void bind_with_patches(const CurveClasses& cls) {
           py::arg("cancel") = py::none());
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_meets_of_curves(const CurveClasses& cls) {
   cls.def("intersections", [](const AnyCurve& self, const py::object& other, const py::object& tolerance,
                               const py::object& cancel) {
             const NurbsCurve& with = any_curve(other, "other");
@@ -115,7 +115,7 @@ void bind_curve(const CurveClasses& cls) {
           py::arg("tolerance") = py::none(), py::kw_only(), py::arg("cancel") = py::none());
 }
 
-void bind_result(py::module_& module) {
+void bind_meets(py::module_& module) {
   Class<Intersections> cls(module, "Intersections", py::module_local());
   seal(cls);
   pickle_members(cls, &Intersections::parameters, &Intersections::points, &Intersections::distances,
@@ -151,9 +151,9 @@ void bind_patch_result(py::module_& module) {
 }  // namespace
 
 void bind_intersections(py::module_& module) {
-  bind_result(module);
+  bind_meets(module);
   bind_patch_result(module);
-  bind_curve(CurveClasses(module));
+  bind_meets_of_curves(CurveClasses(module));
   bind_with_patches(CurveClasses(module));
 }
 

@@ -61,7 +61,7 @@ const PatchSet* set_in(const py::object& value) {
   return py::isinstance<PatchSet>(value) ? &value.cast<const PatchSet&>() : nullptr;
 }
 
-void bind_result(py::module_& module) {
+void bind_least_distance(py::module_& module) {
   Class<LeastDistance> cls(module, "LeastDistance", py::module_local());
   seal(cls);
   pickle_members(cls, &LeastDistance::distance, &LeastDistance::parameters, &LeastDistance::patches, &LeastDistance::points);
@@ -77,7 +77,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_least_distances(py::module_& module) {
-  bind_result(module);
+  bind_least_distance(module);
   const auto arguments = [](auto classes, auto function) {
     classes.def("least_distance", function, py::arg("other"), py::arg("tolerance") = py::none(), py::kw_only(),
                 py::arg("cancel") = py::none());

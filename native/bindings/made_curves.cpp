@@ -18,11 +18,6 @@ using splinecore::NurbsCurve;
 
 namespace {
 
-std::optional<double> tolerance_of(const py::object& value) {
-  if (value.is_none()) return {};
-  return real(value, "tolerance");
-}
-
 void bind_contour(py::module_& build) {
   build.def("contour", [](const py::object& points, const py::object& bulges, const py::object& closed,
                           const py::object& normal) {
@@ -46,7 +41,7 @@ void bind_helix(py::module_& build) {
               options.turns = real(turns, "turns");
               options.phase = real(phase, "phase");
               if (!start.is_none()) options.start = vector_of(start, "start");
-              options.tolerance = tolerance_of(tolerance);
+              options.tolerance = optional_real(tolerance, "tolerance");
               return unlocked([&] { return splinecore::helix(about, options); }, cancel);
             }, py::arg("axis"), py::arg("radius"), py::arg("turns"), py::kw_only(), py::arg("end_radius") = py::none(),
             py::arg("phase") = 0.0, py::arg("start") = py::none(), py::arg("tolerance") = py::none(),
@@ -59,7 +54,7 @@ void bind_curve_on_patch(py::module_& build) {
               const splinecore::NurbsPatch& on = any_patch(patch, "patch");
               const NurbsCurve& of = any_curve(image, "image");
               const double by = real(distance, "distance");
-              const auto within = tolerance_of(tolerance);
+              const auto within = optional_real(tolerance, "tolerance");
               return unlocked([&] { return splinecore::curve_on_patch(on, of, by, within); }, cancel);
             }, py::arg("patch"), py::arg("image"), py::arg("distance") = 0.0, py::kw_only(),
             py::arg("tolerance") = py::none(), py::arg("cancel") = py::none());

@@ -221,7 +221,7 @@ void bind_moments(Class<PatchSet> cls) {
           py::arg("cancel") = py::none());
 }
 
-void bind_result(py::module_& module) {
+void bind_jet(py::module_& module) {
   Class<Curvatures> cls(
       module, "Curvatures", py::module_local());
   seal(cls);
@@ -236,7 +236,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_measure(py::module_& module) {
-  bind_result(module);
+  bind_jet(module);
   bind_curve(CurveClasses(module));
   bind_patch(PatchClasses(module));
   bind_set(class_of<PatchSet>(module, "PatchSet"));

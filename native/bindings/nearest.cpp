@@ -23,11 +23,11 @@ using splinecore::NurbsPatch;
 namespace {
 
 /// Points (..., 2 or 3).
-struct Places {
+struct GivenPoints {
   std::vector<glm::dvec3> points;
   Shape shape;  ///< without the last dimension
 
-  explicit Places(const py::object& value) {
+  explicit GivenPoints(const py::object& value) {
     const Doubles given = real_array(value, "points");
     const py::ssize_t columns = given.ndim() == 0 ? 0 : given.shape(given.ndim() - 1);
     if (columns != 2 && columns != 3) {
@@ -53,7 +53,7 @@ Shape with_column(Shape shape, py::ssize_t count) {
 
 Nearest nearest(const NurbsCurve& curve, const py::object& points, const py::object& threads,
                 const py::object& cancel) {
-  const Places places(points);
+  const GivenPoints places(points);
   const int most = threads_of(threads);
   std::vector<splinecore::NearestOnCurve> found(places.points.size());
   unlocked([&] { splinecore::nearest(curve, places.points, found, most); }, cancel);
@@ -64,7 +64,7 @@ Nearest nearest(const NurbsCurve& curve, const py::object& points, const py::obj
 
 Nearest nearest(const NurbsPatch& patch, const py::object& points, const py::object& threads,
                 const py::object& cancel) {
-  const Places places(points);
+  const GivenPoints places(points);
   const int most = threads_of(threads);
   std::vector<splinecore::NearestOnPatch> found(places.points.size());
   unlocked([&] { splinecore::nearest(patch, places.points, found, most); }, cancel);
@@ -80,7 +80,7 @@ struct NearestAmong {
 };
 
 template <class Found, class Shape>
-NearestAmong nearest_among(const std::vector<const Shape*>& shapes, const Places& places, const bindings::Shape& parameters,
+NearestAmong nearest_among(const std::vector<const Shape*>& shapes, const GivenPoints& places, const bindings::Shape& parameters,
                            const py::object& threads, const py::object& cancel) {
   const int most = threads_of(threads);
   std::vector<splinecore::NearestAmong<Found>> found(places.points.size());
@@ -104,7 +104,7 @@ bool is_patch(const py::handle& value) {
 /// Of curves, or of patches: the first one says which. What it is made of stays as long as this tuple.
 NearestAmong nearest_among(const py::tuple& shapes, const py::object& points, const py::object& threads,
                            const py::object& cancel) {
-  const Places places(points);
+  const GivenPoints places(points);
   std::vector<const NurbsCurve*> curves;
   std::vector<const NurbsPatch*> patches;
   const bool are_patches = !shapes.empty() && is_patch(shapes[0]);
@@ -120,7 +120,7 @@ NearestAmong nearest_among(const py::tuple& shapes, const py::object& points, co
   return nearest_among<NearestOnCurve>(curves, places, places.shape, threads, cancel);
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_near_curve(const CurveClasses& cls) {
   cls.def("nearest", [](const AnyCurve& self, const py::object& points, const py::object& threads,
                         const py::object& cancel) {
             return nearest(form(self), points, threads, cancel);
@@ -128,7 +128,7 @@ void bind_curve(const CurveClasses& cls) {
           py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 
-void bind_patch(const PatchClasses& cls) {
+void bind_near_patch(const PatchClasses& cls) {
   cls.def("nearest", [](const AnyPatch& self, const py::object& points, const py::object& threads,
                         const py::object& cancel) {
             return nearest(patch_form(self), points, threads, cancel);
@@ -136,7 +136,7 @@ void bind_patch(const PatchClasses& cls) {
           py::arg("points"), py::kw_only(), py::arg("threads") = 0, py::arg("cancel") = py::none());
 }
 
-void bind_result(py::module_& module) {
+void bind_nearest_result(py::module_& module) {
   Class<Nearest> cls(module, "Nearest", py::module_local());
   seal(cls);
   pickle_members(cls, &Nearest::parameters, &Nearest::points, &Nearest::distances);
@@ -172,10 +172,10 @@ Nearest arrays_for(const Shape& shape, const Shape& parameters) {
 }
 
 void bind_nearest(py::module_& module) {
-  bind_result(module);
+  bind_nearest_result(module);
   bind_among(module);
-  bind_curve(CurveClasses(module));
-  bind_patch(PatchClasses(module));
+  bind_near_curve(CurveClasses(module));
+  bind_near_patch(PatchClasses(module));
 }
 
 }  // namespace bindings

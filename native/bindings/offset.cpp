@@ -16,7 +16,7 @@ using splinecore::OffsetOptions;
 
 namespace {
 
-void bind_curve(const CurveClasses& cls) {
+void bind_offsets(const CurveClasses& cls) {
   cls.def("offset", [](const AnyCurve& self, const py::object& distance, const py::object& normal, const py::object& tolerance,
                        const py::object& corner, const py::object& trimmed, const py::object& cancel) {
             OffsetOptions options{vector_of(normal, "normal"), {}, chosen<OffsetCorner>(corner, "corner", {{"round", OffsetCorner::round}, {"sharp", OffsetCorner::sharp}}), boolean(trimmed, "trimmed")};
@@ -32,7 +32,7 @@ void bind_curve(const CurveClasses& cls) {
 }  // namespace
 
 void bind_offset(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_offsets(CurveClasses(module));
 }
 
 }  // namespace bindings

@@ -14,7 +14,6 @@
 
 namespace bindings {
 
-using splinecore::AnyPatch;
 using splinecore::IndexedPatch;
 using splinecore::InvalidShape;
 using splinecore::PatchKind;
@@ -184,9 +183,9 @@ void bind_patch_set(py::module_& module) {
       module, "PatchSet", py::module_local());
   cls.def(py::init(&patch_set), py::arg("points"), py::arg("patches"), py::arg("weights") = py::none());
   cls.def_static("from_patches", [](const py::object& patches, const py::object& merge) {
-                   std::vector<AnyPatch> all;
+                   std::vector<splinecore::AnyPatch> all;
                    for (const py::handle& item : sequence_of(patches, "patches")) {
-                     std::optional<AnyPatch> patch;
+                     std::optional<splinecore::AnyPatch> patch;
                      if (!unwrap(item, patch)) {
                        throw py::type_error("patches" + splinecore::index_text(all.size()) +
                                             " is no BezierPatch, HermitePatch or NurbsPatch");

@@ -22,7 +22,7 @@ int winding_number(const NurbsCurve& curve, const py::object& point, const py::o
   return unlocked([&] { return splinecore::winding_number(curve, around, across); });
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_plane_measures(const CurveClasses& cls) {
   cls.def("signed_area", [](const AnyCurve& self, const py::object& normal, const py::object& tolerance) {
             return signed_area(form(self), normal, tolerance);
           },
@@ -37,7 +37,7 @@ void bind_curve(const CurveClasses& cls) {
 }  // namespace
 
 void bind_plane_curves(py::module_& module) {
-  bind_curve(CurveClasses(module));
+  bind_plane_measures(CurveClasses(module));
 }
 
 }  // namespace bindings

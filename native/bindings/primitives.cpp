@@ -3,37 +3,16 @@
 #include <optional>
 
 #include "arrays.hpp"
+#include "every_kind.hpp"
 #include "long_calls.hpp"
 #include "rooms.hpp"
-#include "splinecore/curve/bezier_curve.hpp"
-#include "splinecore/curve/hermite_curve.hpp"
-#include "splinecore/curve/power_curve.hpp"
 
 namespace bindings {
 
-using splinecore::InvalidShape;
 using splinecore::NurbsCurve;
 using splinecore::Turn;
 
 namespace {
-
-/// One vector of two or three numbers.
-glm::dvec3 vector_of(const py::object& value, const char* name) {
-  const Doubles given = real_array(value, name);
-  if (given.ndim() != 1 || (given.size() != 2 && given.size() != 3)) {
-    throw InvalidShape(std::string(name) + " has shape " + shape_text(given) + ", (2,) or (3,) is expected");
-  }
-  return {given.data()[0], given.data()[1], given.size() == 3 ? given.data()[2] : 0.0};
-}
-
-/// The NURBS form of any curve.
-NurbsCurve curve_of(const py::object& value, const char* name) {
-  if (py::isinstance<NurbsCurve>(value)) return py::cast<const NurbsCurve&>(value);
-  if (py::isinstance<splinecore::BezierCurve>(value)) return py::cast<const splinecore::BezierCurve&>(value).nurbs();
-  if (py::isinstance<splinecore::HermiteCurve>(value)) return py::cast<const splinecore::HermiteCurve&>(value).nurbs();
-  if (py::isinstance<splinecore::PowerCurve>(value)) return py::cast<const splinecore::PowerCurve&>(value).nurbs();
-  throw py::type_error(std::string(name) + " must be a curve, not " + type_name(value));
-}
 
 Turn turn_of(const py::object& start, const py::object& sweep) {
   Turn turn;
@@ -89,7 +68,7 @@ void bind_sweeps(py::module_& build) {
             }, py::arg("origin"), py::arg("axis_a"), py::arg("axis_b"));
   build.def("revolve", [](const py::object& curve, const py::object& axis_point, const py::object& axis_direction,
                           const py::object& start, const py::object& sweep) {
-              const NurbsCurve profile = curve_of(curve, "curve");
+              const NurbsCurve profile = any_curve(curve, "curve");
               const glm::dvec3 point = vector_of(axis_point, "axis_point");
               const glm::dvec3 direction = vector_of(axis_direction, "axis_direction");
               const Turn turn = turn_of(start, sweep);
@@ -98,11 +77,11 @@ void bind_sweeps(py::module_& build) {
             py::arg("curve"), py::arg("axis_point"), py::arg("axis_direction"), py::arg("start") = 0.0,
             py::arg("sweep") = py::none());
   build.def("extrude", [](const py::object& curve, const py::object& vector) {
-              return splinecore::extrude(curve_of(curve, "curve"), vector_of(vector, "vector"));
+              return splinecore::extrude(any_curve(curve, "curve"), vector_of(vector, "vector"));
             }, py::arg("curve"), py::arg("vector"));
   build.def("ruled", [](const py::object& a, const py::object& b) {
-              const NurbsCurve first = curve_of(a, "a");
-              const NurbsCurve second = curve_of(b, "b");
+              const NurbsCurve first = any_curve(a, "a");
+              const NurbsCurve second = any_curve(b, "b");
               return unlocked([&] { return splinecore::ruled(first, second); });
             }, py::arg("a"), py::arg("b"));
 }

@@ -125,7 +125,7 @@ RayHits found_on(const Target& target, const py::object& origins, const py::obje
   return out;
 }
 
-void bind_result(py::module_& module) {
+void bind_hits(py::module_& module) {
   Class<RayHits> cls(module, "RayHits", py::module_local());
   seal(cls);
   pickle_members(cls, &RayHits::rays, &RayHits::along, &RayHits::until, &RayHits::patches, &RayHits::parameters,
@@ -143,7 +143,7 @@ void bind_result(py::module_& module) {
 }  // namespace
 
 void bind_rays(py::module_& module) {
-  bind_result(module);
+  bind_hits(module);
   PatchClasses(module).def(
       "rays", [](const AnyPatch& self, const py::object& origins, const py::object& directions, const py::object& hits,
                  const py::object& limits, const py::object& threads, const py::object& cancel) {

@@ -49,7 +49,7 @@ Nearest nearest_all(const Form& form, const py::object& point, const py::object&
   return arrays_of(unlocked([&] { return splinecore::nearest_all(form, from, most); }, cancel));
 }
 
-void bind_curve(const CurveClasses& cls) {
+void bind_stationary_points(const CurveClasses& cls) {
   cls.def("stationary_points", [](const AnyCurve& self, const py::object& point, const py::object& cancel) {
             return stationary_points(form(self), point, cancel);
           },
@@ -90,7 +90,7 @@ void bind_stationary_result(py::module_& module) {
 
 void bind_stationary(py::module_& module) {
   bind_stationary_result(module);
-  bind_curve(CurveClasses(module));
+  bind_stationary_points(CurveClasses(module));
   bind_stationary_methods(PatchClasses(module));
 }
 

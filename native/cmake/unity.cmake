@@ -1,5 +1,5 @@
-# compile_in_groups(TARGET): files of a folder that begin with the same letter are compiled together, but for kernels. A file that
-# is added changes one group.
+# compile_in_groups(TARGET): files of a folder whose names begin with letters of one range are compiled together, but for kernels.
+# A file that is added changes one group.
 function(compile_in_groups target)
   get_target_property(files ${target} SOURCES)
   foreach(file ${files})
@@ -7,8 +7,11 @@ function(compile_in_groups target)
       get_filename_component(folder "${file}" DIRECTORY)
       get_filename_component(folder "${folder}" NAME)
       get_filename_component(name "${file}" NAME)
-      string(SUBSTRING "${name}" 0 1 letter)
-      set_source_files_properties("${file}" PROPERTIES UNITY_GROUP ${folder}_${letter})
+      foreach(letters a-c d-l m-o p-r s-z)
+        if(name MATCHES "^[${letters}]")
+          set_source_files_properties("${file}" PROPERTIES UNITY_GROUP ${folder}_${letters})
+        endif()
+      endforeach()
     endif()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

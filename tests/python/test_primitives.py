@@ -213,7 +213,7 @@ def test_wrong_numbers_are_refused_with_a_sentence(call, message):
 def test_what_is_no_curve_is_refused():
     for call in (lambda: build.revolve(3, (0, 0, 0), (0, 0, 1)), lambda: build.extrude("curve", (0, 0, 1)),
                  lambda: build.ruled(LINE, None)):
-        with pytest.raises(TypeError, match="must be a curve"):
+        with pytest.raises(sc.InvalidShape, match="a curve is expected"):
             call()
 
 

@@ -13,7 +13,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr int kNone = -1;
+constexpr int kNoCorner = -1;
 constexpr int kSeveral = -2;
 
 using PointKey = std::array<double, 3>;
@@ -125,11 +125,11 @@ void tie_points(std::span<const glm::dvec4> points, const IndexedPatch& patch, M
 
 /// What the directions of the pool belong to: the leader of the point whose tangents or twist they are.
 struct Owners {
-  explicit Owners(std::size_t count) : corner(count, kNone), net(count, 0) {}
+  explicit Owners(std::size_t count) : corner(count, kNoCorner), net(count, 0) {}
 
   void add(int row, int owner, int of_net) {
-    net[row] = corner[row] == kNone ? of_net : net[row];
-    corner[row] = corner[row] == kNone || corner[row] == owner ? owner : kSeveral;
+    net[row] = corner[row] == kNoCorner ? of_net : net[row];
+    corner[row] = corner[row] == kNoCorner || corner[row] == owner ? owner : kSeveral;
   }
 
   std::vector<int> corner;

@@ -17,7 +17,7 @@ namespace splinecore {
 
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoPartner = std::numeric_limits<std::size_t>::max();
 
 /// Ends of curves: 2 i is where curve i starts, 2 i + 1 where it ends.
 std::size_t other_end(std::size_t end) { return end ^ 1U; }
@@ -59,9 +59,9 @@ std::vector<EndPair> near_pairs(const std::vector<glm::dvec3>& ends, const std::
 
 /// The end that each is joined to.
 std::vector<std::size_t> partners_of(std::size_t count, const std::vector<EndPair>& pairs) {
-  std::vector<std::size_t> partners(count, kNone);
+  std::vector<std::size_t> partners(count, kNoPartner);
   for (const EndPair& pair : pairs) {
-    if (partners[pair.a] != kNone || partners[pair.b] != kNone) continue;
+    if (partners[pair.a] != kNoPartner || partners[pair.b] != kNoPartner) continue;
     partners[pair.a] = pair.b;
     partners[pair.b] = pair.a;
   }
@@ -83,11 +83,11 @@ std::vector<NurbsCurve> join_curves(std::span<const NurbsCurve> curves, double t
     if (is_done[i]) continue;
     // Back to where the chain begins, or round to this curve again.
     std::size_t begin = 2 * i;
-    while (partners[begin] != kNone && other_end(partners[begin]) != 2 * i) begin = other_end(partners[begin]);
-    const bool is_round = partners[begin] != kNone;
+    while (partners[begin] != kNoPartner && other_end(partners[begin]) != 2 * i) begin = other_end(partners[begin]);
+    const bool is_round = partners[begin] != kNoPartner;
     if (is_round) begin = 2 * i;
     std::vector<NurbsCurve> chain;
-    for (std::size_t at = begin; at != kNone && !is_done[at / 2]; at = partners[other_end(at)]) {
+    for (std::size_t at = begin; at != kNoPartner && !is_done[at / 2]; at = partners[other_end(at)]) {
       is_done[at / 2] = true;
       chain.push_back(at % 2 == 0 ? curves[at / 2] : reversed(curves[at / 2]));
     }

@@ -16,10 +16,6 @@ namespace splinecore {
 
 namespace {
 
-BezierCurve as_bezier(const NurbsCurve& line) {
-  return BezierCurve::make({line.points().begin(), line.points().end()});
-}
-
 void require_lower(int times, int degree) {
   if (times >= 1 && times < degree) return;
   throw InvalidShape("times = " + std::to_string(times) + " is outside [1, " + std::to_string(degree - 1) +

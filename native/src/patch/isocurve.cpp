@@ -22,10 +22,6 @@ glm::dvec4 point_of(const Stencil& stencil, std::span<const glm::dvec4> net, con
   return sum;
 }
 
-BezierCurve as_bezier(const NurbsCurve& curve) {
-  return BezierCurve::make({curve.points().begin(), curve.points().end()});
-}
-
 }  // namespace
 
 NurbsCurve isocurve(const NurbsPatch& patch, Axis axis, double at, Side side) {

@@ -143,4 +143,6 @@ BezierPatch as_bezier(const NurbsPatch& patch) {
   return BezierPatch::make(patch.count(Axis::u), patch.count(Axis::v), {patch.points().begin(), patch.points().end()});
 }
 
+BezierCurve as_bezier(const NurbsCurve& line) { return BezierCurve::make({line.points().begin(), line.points().end()}); }
+
 }  // namespace splinecore

@@ -6,6 +6,7 @@
 
 #include "basis/point_matrix.hpp"
 #include "basis/selection.hpp"
+#include "splinecore/curve/bezier_curve.hpp"
 #include "splinecore/curve/nurbs_curve.hpp"
 #include "splinecore/patch/bezier_patch.hpp"
 #include "splinecore/patch/nurbs_patch.hpp"
@@ -55,8 +56,9 @@ NurbsPatch cut(const NurbsPatch& patch, Axis axis, double u);
 /// Points that come out as they went in keep every digit.
 NurbsPatch along(const NurbsPatch& patch, Axis axis, const std::function<NurbsCurve(const NurbsCurve&)>& verb);
 
-/// The Bezier patch with the net of a patch.
+/// The Bezier patch with the net of a patch, and the Bezier curve with the points of a line.
 BezierPatch as_bezier(const NurbsPatch& patch);
+BezierCurve as_bezier(const NurbsCurve& line);
 
 }  // namespace splinecore
 #pragma GCC visibility pop

@@ -22,15 +22,15 @@ namespace splinecore {
 
 namespace {
 
-constexpr int kDegree = 4;
-constexpr int kTerms = (kDegree + 1) * (kDegree + 2) / 2;
-using Terms = std::array<double, kTerms>;
+constexpr int kDegreeOfFit = 4;
+constexpr int kTermsOfFit = (kDegreeOfFit + 1) * (kDegreeOfFit + 2) / 2;
+using Terms = std::array<double, kTermsOfFit>;
 
 /// The products of powers of x and y, or their derivatives along a direction.
 Terms terms_at(const glm::dvec3& p) {
   Terms terms;
   int next = 0;
-  for (int sum = 0; sum <= kDegree; ++sum) {
+  for (int sum = 0; sum <= kDegreeOfFit; ++sum) {
     for (int k = 0; k <= sum; ++k) terms[next++] = std::pow(p.x, sum - k) * std::pow(p.y, k);
   }
   return terms;
@@ -39,7 +39,7 @@ Terms terms_at(const glm::dvec3& p) {
 Terms terms_along(const glm::dvec3& p, const glm::dvec3& way) {
   Terms terms;
   int next = 0;
-  for (int sum = 0; sum <= kDegree; ++sum) {
+  for (int sum = 0; sum <= kDegreeOfFit; ++sum) {
     for (int k = 0; k <= sum; ++k) {
       const int i = sum - k;
       const double by_x = i > 0 ? i * std::pow(p.x, i - 1) * std::pow(p.y, k) : 0.0;
@@ -54,7 +54,7 @@ Terms terms_along(const glm::dvec3& p, const glm::dvec3& way) {
 std::optional<std::vector<double>> heights_of(const std::vector<std::vector<HolePlace>>& sides, const HolePlane& plane) {
   constexpr double kSteep = 0.15;
   constexpr double kDependent = 1e-4;
-  LinearEquations equations(kTerms);
+  LinearEquations equations(kTermsOfFit);
   for (const auto& side : sides) {
     for (const HolePlace& place : side) {
       const glm::dvec3 p = plane.at(place.point);

@@ -31,7 +31,7 @@ double shortest_in(const Interval& interval) {
   return kShortest * std::max(std::abs(interval.start), std::abs(interval.end));
 }
 
-double distance_of(const glm::dvec4& a, const glm::dvec4& b) {
+double distance_between(const glm::dvec4& a, const glm::dvec4& b) {
   if (a.w == 0.0 || b.w == 0.0) return length_of(glm::dvec3(a) - glm::dvec3(b));
   return length_of(glm::dvec3(a) * (1.0 / a.w) - glm::dvec3(b) * (1.0 / b.w));
 }
@@ -224,7 +224,7 @@ class RowStretch {
         for (std::size_t begin = 0; begin < piece.wanted.size(); begin += columns) {
           write_row(made, samples, sample++, row);
           for (std::size_t j = 0; j < columns; ++j) {
-            step.error = worse(step.error, distance_of(row[j], piece.wanted[begin + j]));
+            step.error = worse(step.error, distance_between(row[j], piece.wanted[begin + j]));
           }
         }
       }
@@ -260,7 +260,7 @@ FittedRows joined(const FittedRows& a, const FittedRows& b, std::size_t columns)
   const std::span<const glm::dvec4> last = std::span(a.rows).last(columns);
   const std::span<const glm::dvec4> first = std::span(b.rows).first(columns);
   bool is_same = true;
-  for (std::size_t i = 0; i < columns; ++i) is_same = is_same && distance_of(last[i], first[i]) <= kSame;
+  for (std::size_t i = 0; i < columns; ++i) is_same = is_same && distance_between(last[i], first[i]) <= kSame;
   std::vector<double> knots(a.knots.knots().begin(), a.knots.knots().end() - (is_same ? 1 : 0));
   knots.insert(knots.end(), b.knots.knots().begin() + kDegree + 1, b.knots.knots().end());
   std::vector<glm::dvec4> rows(a.rows.begin(), a.rows.end() - (is_same ? static_cast<std::ptrdiff_t>(columns) : 0));

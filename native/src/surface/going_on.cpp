@@ -17,6 +17,10 @@ std::vector<glm::dvec4> scaled(double factor, std::vector<glm::dvec4> row) {
   return row;
 }
 
+void add_row(std::vector<glm::dvec4>& row, double factor, const std::vector<glm::dvec4>& other) {
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * other[i];
+}
+
 double speed_of(std::span<const glm::dvec4> row, std::span<const glm::dvec4> derivative) {
   double sum = 0.0;
   double count = 0.0;
@@ -58,10 +62,6 @@ double gain_of(std::span<const glm::dvec4> edge, const LeavingRows& rows, std::s
   return speed > 0.0 ? along / speed : 0.0;
 }
 
-void add(std::vector<glm::dvec4>& row, double factor, const std::vector<glm::dvec4>& other) {
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * other[i];
-}
-
 /// Derivatives of A(k t + m t² / 2 + n t³ / 6).
 LeavingRows paced_rows(std::span<const glm::dvec4> edge, const LeavingRows& out, double k, double room) {
   constexpr double kMostOfSecond = 1e9;  // beyond these, what is left of such gains would be rounding
@@ -76,11 +76,11 @@ LeavingRows paced_rows(std::span<const glm::dvec4> edge, const LeavingRows& out,
   if (out.size() < 2) return made;
   made.push_back(scaled(k * k, out[1]));
   const double m = k * taken(gain_of(edge, made, 2), 1.0 / room, kMostOfSecond);
-  add(made[1], m, out[0]);
+  add_row(made[1], m, out[0]);
   if (out.size() < 3) return made;
   made.push_back(scaled(k * k * k, out[2]));
-  add(made[2], 3.0 * k * m, out[1]);
-  add(made[2], k * taken(gain_of(edge, made, 3), 1.0 / (room * room), kMostOfThird), out[0]);
+  add_row(made[2], 3.0 * k * m, out[1]);
+  add_row(made[2], k * taken(gain_of(edge, made, 3), 1.0 / (room * room), kMostOfThird), out[0]);
   return made;
 }
 
@@ -102,7 +102,7 @@ LeavingRows going_on(std::span<const glm::dvec4> edge, const LeavingRows& out, d
     double choose = 1.0;
     for (std::size_t m = 1; m <= order; ++m) {
       choose *= static_cast<double>(order - m + 1) / static_cast<double>(m);
-      add(row, choose * std::pow(level, order - m), paced[m - 1]);
+      add_row(row, choose * std::pow(level, order - m), paced[m - 1]);
     }
     found.push_back(std::move(row));
   }

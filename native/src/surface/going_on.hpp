@@ -12,6 +12,8 @@ using LeavingRows = std::vector<std::vector<glm::dvec4>>;
 
 std::vector<glm::dvec4> scaled(double factor, std::vector<glm::dvec4> row);
 
+void add_row(std::vector<glm::dvec4>& row, double factor, const std::vector<glm::dvec4>& other);
+
 /// How fast points leave, on average.
 double speed_of(std::span<const glm::dvec4> row, std::span<const glm::dvec4> derivative);
 

@@ -16,8 +16,8 @@ namespace splinecore {
 
 namespace {
 
-constexpr int kDegree = 8;
-constexpr std::size_t kTerms = (kDegree + 1) * (kDegree + 2) / 2;
+constexpr int kDegreeOfGuide = 8;
+constexpr std::size_t kTermsOfGuide = (kDegreeOfGuide + 1) * (kDegreeOfGuide + 2) / 2;
 
 /// A cubic from a side to the apex, by t from 0 to 1.
 struct LineToApex {
@@ -88,7 +88,7 @@ glm::dvec3 HoleGuide::at(const glm::dvec2& place) const {
 
 /// At p, in sizes.
 glm::dvec3 HoleGuide::derivative(const glm::dvec2& p, const std::array<int, 2>& by) const {
-  const std::vector<double> terms = plane_terms(kDegree, p, by);
+  const std::vector<double> terms = plane_terms(kDegreeOfGuide, p, by);
   glm::dvec3 sum(0.0);
   for (std::size_t k = 0; k < terms.size(); ++k) sum += terms[k] * factors_[k];
   return sum;
@@ -120,7 +120,7 @@ void HoleGuide::fit(const Hole& hole) {
   constexpr double kOnSides = 4.0;
   constexpr double kOfSlopes = 1.2;
   constexpr double kDependent = 1e-8;
-  LinearEquations equations(kTerms, 3);
+  LinearEquations equations(kTermsOfGuide, 3);
   const auto add = [&](double weight, std::span<const double> terms, const glm::dvec3& value) {
     equations.add(terms, std::array{value.x, value.y, value.z}, weight);
   };
@@ -137,15 +137,15 @@ void HoleGuide::fit(const Hole& hole) {
     for (int k = 0; k <= kParts; ++k) {
       const double t = static_cast<double>(k) / kParts;
       const double left = 1.0 - line.length_to(t) / length;
-      add(k == 0 ? kOnSides : 1.0, plane_terms(kDegree, left * from), line.at(t));
+      add(k == 0 ? kOnSides : 1.0, plane_terms(kDegreeOfGuide, left * from), line.at(t));
     }
     const glm::dvec3 start = 3.0 * (line.points[1] - line.points[0]);
     const double speed = length_of(start);
     if (!(speed > 0.0)) continue;
     const double distance = glm::length(from);
     const glm::dvec2 inwards = -from / distance;
-    std::vector<double> slopes = plane_terms(kDegree, from, {1, 0});
-    const std::vector<double> by_y = plane_terms(kDegree, from, {0, 1});
+    std::vector<double> slopes = plane_terms(kDegreeOfGuide, from, {1, 0});
+    const std::vector<double> by_y = plane_terms(kDegreeOfGuide, from, {0, 1});
     for (std::size_t k = 0; k < slopes.size(); ++k) slopes[k] = inwards.x * slopes[k] + inwards.y * by_y[k];
     add(kOfSlopes, slopes, start * (size_ / speed));
   }

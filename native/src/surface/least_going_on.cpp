@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "going_on.hpp"
 #include "splinecore/base/errors.hpp"
 
 namespace splinecore {
@@ -21,10 +22,6 @@ HomogeneousRow about(std::span<const glm::dvec4> edge, const HomogeneousRow& row
     found.emplace_back(glm::dvec3(row[i]) - row[i].w * origin, row[i].w);
   }
   return found;
-}
-
-void add(HomogeneousRow& row, double factor, const HomogeneousRow& other) {
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] += factor * other[i];
 }
 
 double product(const HomogeneousRow& a, const HomogeneousRow& b) {
@@ -53,12 +50,12 @@ class Fit {
     const std::size_t k = made_.size();
     if (free) {
       factor = share_of(*free, rest(k, given));
-      add(given, factor, *free);
+      add_row(given, factor, *free);
     }
     factors_of_edge_.push_back(own_.are_rational ? of_edge(k, given) : 0.0);
-    add(given, factors_of_edge_.back(), edge_);
+    add_row(given, factors_of_edge_.back(), edge_);
     HomogeneousRow row = given;
-    for (std::size_t j = 0; j < k; ++j) add(row, -own_.coefficients[k][j], made_[j]);
+    for (std::size_t j = 0; j < k; ++j) add_row(row, -own_.coefficients[k][j], made_[j]);
     for (glm::dvec4& p : row) p /= own_.coefficients[k][k];
     made_.push_back(std::move(row));
     return given;
@@ -67,8 +64,8 @@ class Fit {
   /// What a derivative would have to be beside what is given for the rows to stay.
   HomogeneousRow rest(std::size_t k, const HomogeneousRow& given) const {
     HomogeneousRow found = scaled(own_.coefficients[k][k], before_[k]);
-    for (std::size_t j = 0; j < k; ++j) add(found, own_.coefficients[k][j], made_[j]);
-    add(found, -1.0, given);
+    for (std::size_t j = 0; j < k; ++j) add_row(found, own_.coefficients[k][j], made_[j]);
+    add_row(found, -1.0, given);
     return found;
   }
 
@@ -142,13 +139,13 @@ Going going(std::span<const glm::dvec4> edge, const LeavingRows& out, const OwnR
   Going found{{fit.next(scaled(k, fit.out(1)), nullptr, m)}, 0.0};
   if (out.size() > 1) {
     HomogeneousRow given = scaled(k * k, fit.out(2));
-    add(given, 2.0 * fit.of_edge(1) * k, fit.out(1));
+    add_row(given, 2.0 * fit.of_edge(1) * k, fit.out(1));
     found.rows.push_back(fit.next(std::move(given), &fit.out(1), m));
   }
   if (out.size() > 2) {
     HomogeneousRow given = scaled(k * k * k, fit.out(3));
-    add(given, 3.0 * k * (m + fit.of_edge(1) * k), fit.out(2));
-    add(given, 3.0 * (fit.of_edge(1) * m + fit.of_edge(2) * k), fit.out(1));
+    add_row(given, 3.0 * k * (m + fit.of_edge(1) * k), fit.out(2));
+    add_row(given, 3.0 * (fit.of_edge(1) * m + fit.of_edge(2) * k), fit.out(1));
     found.rows.push_back(fit.next(std::move(given), &fit.out(1), n));
   }
   found.change = fit.change();
