@@ -186,7 +186,7 @@ NAN = float("nan")
 @pytest.mark.parametrize("call, message", [
     (lambda: build.sphere((0, 0, 0), -1), "radius = -1 is not a positive length"),
     (lambda: build.sphere((0, 0, 0), NAN), "radius"),
-    (lambda: build.sphere((0, NAN, 0), 1), "center.y = nan is not finite"),
+    (lambda: build.sphere((0, NAN, 0), 1), "center[1] = nan is not finite"),
     (lambda: build.sphere((0, 0), 1, axis=(0, 0)), "axis has no direction"),
     (lambda: build.sphere((0, 0, 0, 0), 1), "center has shape (4,)"),
     (lambda: build.cylinder((0, 0, 0), (0, 0, 1), 1, 0), "height = 0 is not a positive length"),
@@ -201,7 +201,7 @@ NAN = float("nan")
     (lambda: build.plane((0, 0, 0), (1, 0, 0), (2, 0, 0)), "axis_b is parallel to axis_a"),
     (lambda: build.extrude(LINE, (0, 0, 0)), "vector has no direction"),
     (lambda: build.revolve(LINE, (0, 0, 5), (0, 0, 1)), "the curve lies on the axis"),
-    (lambda: build.revolve(LINE, (1, 0, 5), (0, 0, NAN)), "axis_direction.z = nan is not finite"),
+    (lambda: build.revolve(LINE, (1, 0, 5), (0, 0, NAN)), "axis_direction[2] = nan is not finite"),
     (lambda: build.revolve(LINE, (1, 0, 5), (0, 0, 0)), "axis_direction has no direction"),
 ])
 def test_wrong_numbers_are_refused_with_a_sentence(call, message):

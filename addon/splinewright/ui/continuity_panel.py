@@ -57,7 +57,7 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
 
 def _draw_in_columns(layout, items):
     """One text, or three of which the last has most room."""
-    for item, share in zip(items, (0.32, 0.45, 1.0) if len(items) > 1 else (1.0,)):
+    for item, share in zip(items, (0.31, 0.44, 1.0) if len(items) > 1 else (1.0,)):
         layout = layout.split(factor=share)
         layout.label(text=item)
 

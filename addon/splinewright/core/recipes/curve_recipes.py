@@ -222,10 +222,11 @@ RECIPES = (
            "A clean B-spline near many points, by least squares: within a tolerance, or with a number of control points",
            (Parameter("by", "By", "What decides how many control points the curve has", "tolerance", choices=(
                ("tolerance", "Tolerance", "As few as lie within the tolerance of all points"),
-               ("count", "Control Points", "A given number of control points"))),
+               ("count", "Count", "A given number of control points"))),
             Parameter("tolerance", "Tolerance", "How far points may lie from the curve", 0.05, 1e-9, unit='LENGTH',
                       where=("by", ("tolerance",))),
-            Parameter("control_points", "Control Points", "Of the curve; no more than there are points", 8, 2, 10_000, where=("by", ("count",))),
+            Parameter("control_points", "Count", "Control points of the curve; no more than there are points", 8, 2, 10_000,
+                      where=("by", ("count",))),
             _DEGREE, SPACING, _CLOSED), _approximating, WAVE, True, 24, takes_cancel=True),
     Recipe("catmull_rom", "Catmull-Rom Spline", "A smooth curve through points, its tangents from their neighbors",
            (SPACING, _TENSION, _CLOSED, _ENDS), _catmull_rom, WAVE, True, 16),
