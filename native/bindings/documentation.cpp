@@ -13,7 +13,7 @@ namespace bindings {
 
 namespace {
 
-std::string text_of(const std::string& name) {
+std::string docstring_of(const std::string& name) {
   const auto all = documentation();
   const auto found = std::ranges::lower_bound(all, std::string_view(name), {}, [](const Documented& one) {
     return std::string_view(one.name);
@@ -30,7 +30,7 @@ void document_function(const std::string& name, const py::handle& function, bool
   PyMethodDef* definition = reinterpret_cast<PyCFunctionObject*>(function.ptr())->m_ml;
   if (definition->ml_doc == nullptr || std::strchr(definition->ml_doc, '(') == nullptr) return;
   const Signature signature = signature_of(definition->ml_name, definition->ml_doc, has_self);
-  replace_documentation(*definition, with_signature(signature, has_self, text_of(name)));
+  replace_documentation(*definition, with_signature(signature, has_self, docstring_of(name)));
 }
 
 /// Where Python looks for the signature of a class: beside the attribute __doc__, which has none.
@@ -54,11 +54,11 @@ void document_constructor(const py::handle& cls, const std::string& name, const 
   const std::string own = name.substr(name.rfind('.') + 1);
   const PyMethodDef* definition = reinterpret_cast<PyCFunctionObject*>(function.ptr())->m_ml;
   if (definition->ml_doc == nullptr) return;
-  set_signature(cls, with_signature(signature_of(own, definition->ml_doc, true), false, text_of(name)));
+  set_signature(cls, with_signature(signature_of(own, definition->ml_doc, true), false, docstring_of(name)));
 }
 
 void document_class(const py::object& cls, const std::string& name) {
-  cls.attr("__doc__") = text_of(name);
+  cls.attr("__doc__") = docstring_of(name);
   const py::list members = py::dict(cls.attr("__dict__").attr("copy")()).attr("items")();
   for (const py::handle& member : members) {
     const std::string own = py::str(member[py::int_(0)]);
@@ -70,7 +70,7 @@ void document_class(const py::object& cls, const std::string& name) {
     } else if (type_name(value) == "staticmethod") {
       document_function(name + "." + own, cls.attr(own.c_str()), false);
     } else if (type_name(value) == "property") {
-      value.attr("__doc__") = text_of(name + "." + own);
+      value.attr("__doc__") = docstring_of(name + "." + own);
     }
   }
 }

@@ -83,7 +83,7 @@ void bind_patch(Class<Patch> cls) {
           py::arg("locality") = 0.0);
 }
 
-void bind_set(Class<PatchSet> cls) {
+void bind_set_drags(Class<PatchSet> cls) {
   cls.def("dragged", [](const PatchSet& self, const py::object& patch, const py::object& u, const py::object& v,
                         const py::object& by, const py::object& tangent_u_by, const py::object& tangent_v_by,
                         const py::object& factors, const py::object& locality) {
@@ -112,7 +112,7 @@ void bind_drags(py::module_& module) {
   bind_patch(class_of<NurbsPatch>(module, "NurbsPatch"));
   bind_patch(class_of<BezierPatch>(module, "BezierPatch"));
   bind_patch(class_of<HermitePatch>(module, "HermitePatch"));
-  bind_set(class_of<PatchSet>(module, "PatchSet"));
+  bind_set_drags(class_of<PatchSet>(module, "PatchSet"));
 }
 
 }  // namespace bindings

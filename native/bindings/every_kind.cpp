@@ -41,7 +41,7 @@ void bind_motions(Class<Shape> cls) {
           }, py::arg("factor"), py::arg("about") = py::make_tuple(0, 0, 0));
 }
 
-Smoothness smoothness_of(const py::object& value) {
+Smoothness curve_smoothness_of(const py::object& value) {
   const std::pair<const char*, Smoothness> known[] = {
       {"C0", Smoothness::c0}, {"G1", Smoothness::g1}, {"C1", Smoothness::c1}, {"C2", Smoothness::c2}};
   for (const auto& [name, smoothness] : known) {
@@ -53,7 +53,7 @@ Smoothness smoothness_of(const py::object& value) {
 void bind_joins(const CurveClasses& cls) {
   cls.def("join", [](const AnyCurve& self, const py::object& other, const py::object& continuity) {
             const splinecore::NurbsCurve& more = any_curve(other, "other");
-            const Smoothness smoothness = smoothness_of(continuity);
+            const Smoothness smoothness = curve_smoothness_of(continuity);
             return wrap(unlocked([&] { return splinecore::joined(form(self), more, smoothness); }));
           }, py::arg("other"), py::arg("continuity") = "C0");
   cls.def("continuity_to", [](const AnyCurve& self, const py::object& other, const py::object& tolerance) {

@@ -130,7 +130,7 @@ py::tuple parts_of(const Formula& formula) {
   return py::make_tuple(formula.text(), names_tuple(formula), py::cast(formula.constants()));
 }
 
-std::string text_of(const Formula& formula) {
+std::string shown(const Formula& formula) {
   std::string text = "Formula(" + std::string(py::repr(py::str(formula.text())));
   const bool is_plain = formula.variables() == std::vector<std::string>{"t"};
   if (!is_plain) text += ", variables=" + std::string(py::repr(names_tuple(formula)));
@@ -230,7 +230,7 @@ void bind_formula(py::module_& module) {
     const py::tuple parts = state_of_size(state, 3);
     return formula_of(parts[0], parts[1], parts[2]);
   }));
-  cls.def("__repr__", &text_of);
+  cls.def("__repr__", &shown);
 }
 
 }  // namespace bindings

@@ -17,7 +17,7 @@ using splinecore::Side;
 
 namespace {
 
-enum class Kind { frenet, rotation_minimizing };
+enum class FrameKind { frenet, rotation_minimizing };
 
 void require_frenet(std::span<const MovingFrame> frames, const Doubles& at) {
   for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -33,12 +33,12 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
                            const py::object& cancel) {
   const Doubles at = real_array(u, "u");
   const Side from = side_of(side, "side");
-  const Kind chosen_kind = chosen<Kind>(
-      kind, "kind", {{"frenet", Kind::frenet}, {"rotation_minimizing", Kind::rotation_minimizing}});
+  const FrameKind chosen_kind = chosen<FrameKind>(
+      kind, "kind", {{"frenet", FrameKind::frenet}, {"rotation_minimizing", FrameKind::rotation_minimizing}});
   CarriedFrame how;
   if (!start.is_none()) how.start = vector_of(start, "start");
   how.is_closed = boolean(closed, "closed");
-  if (chosen_kind == Kind::frenet && (how.start || how.is_closed)) {
+  if (chosen_kind == FrameKind::frenet && (how.start || how.is_closed)) {
     throw InvalidShape("Frenet frames have no start, and close where the curve does: kind = 'rotation_minimizing' takes "
                        "start and closed");
   }
@@ -50,13 +50,13 @@ py::array_t<double> frames(const NurbsCurve& curve, const py::object& u, const p
   const std::span parameters(at.data(), static_cast<std::size_t>(at.size()));
   const std::span found(reinterpret_cast<MovingFrame*>(out.mutable_data()), parameters.size());
   unlocked([&] {
-    if (chosen_kind == Kind::frenet) {
+    if (chosen_kind == FrameKind::frenet) {
       splinecore::frenet_frames(curve, parameters, found, from);
     } else {
       splinecore::rotation_minimizing_frames(curve, parameters, found, how, from);
     }
   }, cancel);
-  if (chosen_kind == Kind::frenet) require_frenet(found, at);
+  if (chosen_kind == FrameKind::frenet) require_frenet(found, at);
   return out;
 }
 
