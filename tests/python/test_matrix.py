@@ -85,3 +85,15 @@ def test_what_no_version_changes_is_a_test_file_with_a_reason():
     assert len(set(names)) == len(names) and all(len(line.split()) > 2 for line in lines)
     for name in names:
         assert re.fullmatch(r'test_\w+\.py', name) and (PROJECT / "tests" / "blender" / name).is_file(), name
+
+
+def test_blenders_that_share_the_tests_run_each_file_once():
+    functions = "/^of_any_version()/p; /^left_by() {/,/^}/p"
+    others = ["trixie", "4.2", "4.5", "5.2"]
+    script = (f'here={MATRIX} project={PROJECT} how= others=({" ".join(others)}); eval "$(sed -n "{functions}" {MATRIX}/run.sh)"; '
+              'for name in "${others[@]}"; do left_by "$name"; echo; done; left_by bookworm; echo; of_any_version')
+    *left, first, any_version = [set(line.split()) for line in subprocess.run(
+        ["bash", "-c", script], capture_output=True, text=True, check=True).stdout.splitlines()]
+    files = {path.name for path in (PROJECT / "tests" / "blender").glob("test_*.py")}
+    runs = [name for without in left for name in files - without]
+    assert not first and len(left) == len(others) and sorted(runs) == sorted(files - any_version)
