@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 import splinecore as sc
+from from_pypi import ENVIRONMENT, programs
 
 PROJECT = Path(__file__).resolve().parents[2]
 STUBS = PROJECT / "native/bindings/splinecore"
@@ -57,23 +58,14 @@ def checked(tmp_path):
 @pytest.fixture(scope="module")
 def python(tmp_path_factory):
     """Of an environment with both checkers, and with NumPy as it is here."""
-    folder = tmp_path_factory.mktemp("checkers")
-    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-    if subprocess.run([sys.executable, "-m", "venv", "--system-site-packages", folder], capture_output=True, env=environment).returncode:
-        pytest.skip("venv does not work here")
-    done = subprocess.run([folder / "bin/python", "-m", "pip", "--retries", "1", "--timeout", "20", "install", "-q", *CHECKERS],
-                          capture_output=True, text=True, env=environment)
-    if done.returncode:
-        pytest.skip(f"PyPI cannot be reached, so that nothing checks the types of the stubs: {done.stderr[-200:]}")
-    return folder / "bin/python"
+    return programs(tmp_path_factory.mktemp("checkers"), *CHECKERS) / "python"
 
 
 def check(python, checker, folder, *files):
     """What a type checker says of files, at its strictest."""
     command = [python, "-m", checker, *(["--strict", *files] if checker == "mypy" else [])]
     (folder / "pyrightconfig.json").write_text(json.dumps({"include": files, "typeCheckingMode": "strict", "pythonVersion": "3.11"}))
-    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, env=environment)
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, env=ENVIRONMENT)
 
 
 @pytest.mark.parametrize("checker", ["mypy", "pyright"])

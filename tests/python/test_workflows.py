@@ -1,12 +1,12 @@
 """What runs on GitHub: on proposed changes, too, and nothing that somebody else can exchange."""
 
-import os
 import re
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from from_pypi import ENVIRONMENT, programs
 
 PROJECT = Path(__file__).resolve().parents[2]
 FOLDER = PROJECT / ".github/workflows"
@@ -44,13 +44,7 @@ def test_what_is_run_is_there():
 
 
 def test_zizmor_finds_no_risk(tmp_path):
-    environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-    if subprocess.run([sys.executable, "-m", "venv", tmp_path / "venv"], capture_output=True, env=environment).returncode:
-        pytest.skip("venv does not work here")
-    done = subprocess.run([tmp_path / "venv/bin/python", "-m", "pip", "--retries", "1", "--timeout", "20", "install", "-q",
-                           "zizmor==1.32.0"], capture_output=True, text=True, env=environment)
-    if done.returncode:
-        pytest.skip(f"PyPI cannot be reached, so there is no zizmor: {done.stderr[-200:]}")
-    done = subprocess.run([tmp_path / "venv/bin/zizmor", "--offline", "--no-progress", "--min-severity", "medium", FOLDER],
-                          capture_output=True, text=True, env=environment)
+    zizmor = programs(tmp_path / "venv", "zizmor==1.32.0") / "zizmor"
+    done = subprocess.run([zizmor, "--offline", "--no-progress", "--min-severity", "medium", FOLDER],
+                          capture_output=True, text=True, env=ENVIRONMENT)
     assert done.returncode == 0, done.stdout[-3000:] + done.stderr[-1000:]
