@@ -132,7 +132,7 @@ def steps():
     view.move(420, 420)
     for part_of_it in (lessons, shapes, recipes):
         yield from part_of_it(view)
-    save_picture(OUTPUT / "fitting.png")
+    save_picture(OUTPUT / "workspace_texts.png")
     lacking = {cls.__name__ for cls in panels()} - seen
     assert not lacking, lacking
     assert not cut, f"{len(cut)} texts are cut off"
