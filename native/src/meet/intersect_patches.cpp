@@ -10,6 +10,7 @@
 #include "base/require.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
+#include "level_pieces.hpp"
 #include "operand_order.hpp"
 #include "patch_march.hpp"
 #include "patch_match.hpp"
@@ -47,28 +48,30 @@ Sections exchanged(Sections found) {
 /// Two patches in a space of their own, and the tolerance there.
 class SectionSearch {
  public:
-  SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance)
+  /// @param is_plane  whether the second one is flat, and reaches beyond the first one
+  SectionSearch(const NurbsPatch& a, const NurbsPatch& b, std::optional<double> tolerance, bool is_plane = false)
       : space_(NearSpace(together(a.points(), b.points())).of_size_one()), a_(a, space_), b_(b, space_),
         tolerance_(section_tolerance(space_, tolerance)), match_(found_match()),
-        touching_({a_, b_}, tolerance_), crossing_({a_, b_}, tolerance_) {}
+        touching_({a_, b_}, tolerance_), crossing_({a_, b_}, tolerance_) {
+    if (is_plane && !match_) level_.emplace(patches(), rounding());
+  }
 
   Sections found() {
-    constexpr double kRounding = 0x1p-48;
     constexpr double kSmallest = 0x1p-26;
     constexpr double kOfTolerance = 0x1p-4;  // a loop ten tolerances wide is told from a point
     const IsPairKnown is_matched = [&](const PatchPart& a, const PatchPart& b) {
-      return match_ && match_->explains(a, b);
+      return (match_ && match_->explains(a, b)) || (level_ && level_->explains(a));
     };
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
-    const double rounding = kRounding + 2.0 * space_.rounding();
+    if (level_) take_level();
     if (match_) {
       touching_.is_known_place = [&](const PatchSpots& at) { return match_->is_about(at); };
       for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
     }
     for (const SectionTouch& turn : follow_shared_edges()) note(turn, true);
     touching_.is_crossing = [&](const glm::dvec3& point) { return crossing_.are_near(point, tolerance_); };
-    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding, tolerance_, gap_of_copies_}, is_matched,
+    const PatchPairFindings pairs = find_pairs(patches(), {smallest, rounding(), tolerance_, gap_of_copies_}, is_matched,
                                                  is_known);
     touching_.follow_borders();
     if (const auto place = touching_.lost_border()) {
@@ -77,7 +80,7 @@ class SectionSearch {
     }
     for (const PatchSpots& middle : pairs.touching) touch(middle);
     for (const SectionTrace& trace : touching_.traces()) end_at_changes(trace);
-    BranchSearch search(patches(), crossing_, smallest, rounding);
+    BranchSearch search(patches(), crossing_, smallest, rounding());
     search.on_seed = [&](const SectionPlace& seed) { return trace(seed); };
     search.is_known_pair = is_matched;
     search.is_known_place = [&](const PatchSpots& at) { return match_ && match_->joins(at); };
@@ -90,6 +93,7 @@ class SectionSearch {
     found.are_one = match_ || (touching_.are_one() && (gap_of_copies_.empty() || !touching_.borders().empty()));
     put(crossing, SectionKind::crossing, found);
     put(touching_.traces(), SectionKind::touching, found);
+    put(level_touches_, SectionKind::touching, found);
     put(joined_traces(patches(), sorted.ridges, is_end, tolerance_), SectionKind::touching, found);
     put(touching_.borders(), SectionKind::border, found);
     for (const SectionTouch& touch : near_touches_) add_lonely(touch, found);
@@ -104,6 +108,11 @@ class SectionSearch {
 
  private:
   TwoPatches patches() const { return {a_, b_}; }
+
+  double rounding() const {
+    constexpr double kRounding = 0x1p-48;
+    return kRounding + 2.0 * space_.rounding();
+  }
 
   /// What is one by parameters that match. Copies that part a little farther than the tolerance are looked at by a smaller one,
   /// of which where they cross they part plainly.
@@ -135,6 +144,18 @@ class SectionSearch {
       if (is_point(trace) || (kind == SectionKind::touching && (is_in_match(trace) || is_at_crossing(trace)))) continue;
       found.curves.push_back(section_curve(trace, patches(), space_));
       found.curves.back().kind = kind;
+    }
+  }
+
+  /// Takes what pieces that lie in the plane say of how the patch leaves it.
+  void take_level() {
+    for (SectionTrace& border : level_->borders(0.5 * tolerance_)) touching_.add_border(std::move(border), true);
+    for (LevelLine& line : level_->lines(0.5 * tolerance_)) {
+      if (line.is_crossing) {
+        crossing_.add(std::move(line.trace));
+      } else {
+        level_touches_.push_back(std::move(line.trace));
+      }
     }
   }
 
@@ -297,6 +318,8 @@ class SectionSearch {
   double tolerance_;
   std::string gap_of_copies_;  ///< of such that part by more than the tolerance, but not much
   std::optional<PatchMatch> match_;
+  std::optional<LevelPieces> level_;
+  std::vector<SectionTrace> level_touches_;
   TouchingCurves touching_;
   std::vector<SectionTouch> near_touches_;  ///< where the patches touch, or a pole is
   std::vector<SectionTouch> touches_;       ///< where normals are parallel, in every piece
@@ -313,7 +336,7 @@ Sections sections(const NurbsPatch& a, const NurbsPatch& b, std::optional<double
 }
 
 Sections sections(const NurbsPatch& patch, const Plane& plane, std::optional<double> tolerance) {
-  return SectionSearch(patch, plane_about(patch.points(), plane), tolerance).found();
+  return SectionSearch(patch, plane_about(patch.points(), plane), tolerance, true).found();
 }
 
 }  // namespace splinecore

@@ -1,10 +1,9 @@
 #include "matched_borders.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
-#include "splinecore/base/pause.hpp"
+#include "side_places.hpp"
 
 namespace splinecore {
 
@@ -73,33 +72,10 @@ class MatchedSides {
     return found;
   }
 
-  bool is_near(const SectionPlace& from, const SectionPlace& to) const {
-    const SectionStep step(from, to);
-    return std::ranges::all_of(std::array{0.15, 0.33, 0.5, 0.67, 0.85}, [&](double s) {
-      const PatchSpots at = step.spots(s);
-      return glm::length(patches_.a.at(at.a, step.point(s)).offset) <= tolerance_ &&
-             glm::length(patches_.b.at(at.b, step.point(s)).offset) <= 2.0 * tolerance_;
-    });
-  }
-
   SectionTrace side(std::size_t k, bool is_end) const {
-    constexpr double kShortest = 0x1p-16;
     SectionTrace trace{{}, false};
     for (const MatchedSpan& along : spans_[1 - k]) {
-      trace.places.push_back(place(k, is_end, along, 0.0));
-      double length = 1.0;
-      for (double at = 0.0; at < 1.0;) {
-        breathe(2048);
-        const double next = at + length < 1.0 ? at + length : 1.0;
-        const SectionPlace to = place(k, is_end, along, next);
-        if (next - at > kShortest && !is_near(trace.places.back(), to)) {
-          length = 0.5 * (next - at);
-          continue;
-        }
-        trace.places.push_back(to);
-        at = next;
-        length *= 2.0;
-      }
+      add_places(trace, patches_, [&](double share) { return place(k, is_end, along, share); }, tolerance_);
     }
     constexpr double kSame = 0x1p-36;
     trace.is_closed = glm::distance(trace.places.front().point, trace.places.back().point) <= kSame;

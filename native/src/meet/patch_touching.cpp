@@ -230,7 +230,7 @@ void TouchingCurves::find_borders_of(const PatchPart& part, const PatchPart& oth
 /// Where a border leaves the other patch, the border of that goes on, however short it is.
 void TouchingCurves::follow_borders() {
   for (std::size_t i = 0; i < borders_.size(); ++i) {
-    if (borders_[i].is_closed) continue;
+    if (borders_[i].is_closed || whole_[i]) continue;
     const std::array<PatchSpots, 2> ends{borders_[i].places.front().at, borders_[i].places.back().at};
     for (const PatchSpots& end : ends) {
       for (const OnFace& border : borders_at(end)) {
@@ -341,10 +341,11 @@ std::optional<glm::dvec3> TouchingCurves::lost_border() const {
   return {};
 }
 
-void TouchingCurves::add_border(SectionTrace trace) {
+void TouchingCurves::add_border(SectionTrace trace, bool is_whole) {
   are_one_ = true;
   border_beads_.add(patches_, trace);
   borders_.push_back(std::move(trace));
+  whole_.push_back(is_whole);
 }
 
 void BeadStrings::add(const TwoPatches& patches, const SectionTrace& trace) {

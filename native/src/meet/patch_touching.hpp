@@ -45,8 +45,8 @@ class TouchingCurves {
   /// Whether patches are known to cross along a border at a point.
   std::function<bool(const glm::dvec3&)> is_crossing;
 
-  /// Takes a border of what is known to be one.
-  void add_border(SectionTrace trace);
+  /// Takes a border of what is known to be one. is_whole: whether all borders that it goes on in are known, too.
+  void add_border(SectionTrace trace, bool is_whole = false);
 
   /// Where a border leaves the other patch, the border of that goes on: after all parts are asked about.
   void follow_borders();
@@ -103,6 +103,7 @@ class TouchingCurves {
   double tolerance_;
   std::vector<SectionTrace> traces_;
   std::vector<SectionTrace> borders_;
+  std::vector<bool> whole_;  ///< of borders
   std::vector<LostBorder> lost_;
   bool are_one_ = false;
   BeadStrings beads_;
