@@ -151,6 +151,16 @@ def test_labels_are_capitalized():
     assert not [(where, label) for where, label, _ in texts_shown() if label and not SYMBOLS.fullmatch(label) and not is_capitalized(label)]
 
 
+@pytest.mark.parametrize('name', OPERATORS)
+def test_every_setting_has_a_tooltip(name):
+    """A choice, and the objects that Blender's dialog lists, have those of their items."""
+    properties = [prop for prop in getattr(bpy.ops.splinewright, name).get_rna_type().properties if prop.identifier != 'rna_type']
+    shown = [prop for prop in properties if not prop.is_hidden]
+    assert not [prop.identifier for prop in shown if prop.type != 'ENUM' and not prop.description]
+    assert not [(prop.identifier, item.identifier) for prop in shown if prop.type == 'ENUM' and not prop.description
+                for item in prop.enum_items if not item.description]
+
+
 def test_a_tooltip_is_a_sentence_of_twenty_words_at_most():
     tips = [(where, tip) for where, _, tip in texts_shown() if tip]
     assert len(tips) > 400

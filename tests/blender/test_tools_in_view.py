@@ -8,6 +8,7 @@ import bpy
 import numpy as np
 import pytest
 
+import patches
 from layouts import Layout
 from shapes import VALUES, add, enter, leave, numbers_of, op, require_exact, select
 from support import part, splinecore as sc
@@ -315,11 +316,12 @@ def pie():
 
 
 @pytest.mark.parametrize('name, gray', (
-    ('nurbs', set()), ('periodic', {"make_periodic"}), ('nurbs patch', set()), ('teapot', set())))
+    ('nurbs', set()), ('periodic', set()), ('nurbs patch', set()), ('teapot', set()), ('both periodic', {"make_periodic"})))
 def test_the_pie_has_eight_entries_and_what_would_be_refused_is_gray(name, gray):
-    add(VALUES[name]())
+    add(VALUES[name]() if name in VALUES else patches.value_of(name))
     enter()
     layout = pie()
+    assert {"splinewright.pull_here", "splinewright.rebuild"} <= set(layout.operators)
     assert len(layout.operators) == len(set(layout.operators)) == 8
     assert set(layout.disabled) == {f"splinewright.{name}" for name in gray}
     assert bpy.ops.splinewright.pie.poll()

@@ -1,4 +1,4 @@
-"""The Mode menu, Ctrl+Tab, workspaces and Tab lead into nets, and undo leads out."""
+"""The Mode menu, Ctrl+Tab, workspaces and Tab lead into nets, and undo leads out; what is refused there is said."""
 
 import os
 import sys
@@ -73,8 +73,31 @@ def by_tab(view):
     print("tab", flush=True)
 
 
+def refused(view):
+    """The Mode menu on a shape of a newer version and on a damaged one: Object Mode, and a pop-up says why."""
+    store, texts = part('bridge.data.store'), part('ui.texts')
+    said, pop_up = [], texts.pop_up
+    texts.pop_up = lambda text: (said.append(text), pop_up(text))
+    for harm, why in ((lambda kept: kept.update({"version": store.VERSION + 1}), "newer Splinewright"),
+                      (lambda kept: kept.update({"knots": list(kept["knots"])[:-1]}), "damaged")):
+        empty_file()
+        harm(add(view, 'add_nurbs_patch').data[store.KEY])
+        yield from redrawn()
+        said.clear()
+        with view.override():
+            bpy.ops.object.mode_set('INVOKE_DEFAULT', True, mode='EDIT')
+        yield from until(lambda: said, "it says why")
+        assert bpy.context.mode == 'OBJECT' and len(said) == 1 and why in said[0], said
+        yield from redrawn()
+        save_picture(OUTPUT / "detour-refused.png")
+        view.press('ESC')
+        yield from redrawn()
+    texts.pop_up = pop_up
+    print("refused", flush=True)
+
+
 def steps():
-    for part_of_it in (by_tab, by_the_mode_menu, by_a_workspace):
+    for part_of_it in (by_tab, by_the_mode_menu, by_a_workspace, refused):
         yield from part_of_it(View())
     print("every way leads into the net:", bpy.app.version_string, flush=True)
 

@@ -94,6 +94,17 @@ def test_what_is_told_is_a_pattern_and_no_filled_string():
                 assert not words, (path, call.lineno, ast.unparse(argument))
 
 
+def test_nothing_is_decided_by_the_words_of_an_error():
+    """They may be said in another way, and in another language; what is in them a Phrase knows, and an error its class."""
+    asked = ("str", "sentence", "say", "repr")
+    for path in sorted(ADDON.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text())):
+            if isinstance(node, ast.Compare) and any(isinstance(how, (ast.In, ast.NotIn, ast.Eq, ast.NotEq)) for how in node.ops):
+                for said in (node.left, *node.comparators):
+                    is_asked = isinstance(said, ast.Call) and ast.unparse(said.func) in asked and isinstance(said.args[0], ast.Name)
+                    assert not (is_asked and said.args[0].id in ("error", "refused", "refusal", "why", "problem")), (path, node.lineno)
+
+
 def test_patterns_have_what_fills_them():
     for path, call in calls():
         name = ast.unparse(call.func)

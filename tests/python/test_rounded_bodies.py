@@ -442,7 +442,7 @@ def test_corners_are_rounded_first_and_then_the_rims():
         second = rounding.rounded([first.patches], "", 0.1, 1e-5)
         assert second.count == 2 and second.error < 1e-12
         require_smooth(require_closed(second.patches), lambda _: True)
-        with pytest.raises(failures.Refusal, match="edge 1: the radius is too large"):
+        with pytest.raises(failures.Refusal, match="^edge 1: the radius is too large"):
             rounding.rounded([first.patches], "", 0.35, 1e-5)
 
 

@@ -7,7 +7,8 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..bridge.shape import shape
-from . import editing, timers
+from ..core.base.failures import Refusal, blenders_refusals, sentence
+from . import editing, texts, timers
 from .ui_state import ui_state
 
 _TOGGLES = {'OBJECT_OT_editmode_toggle', 'OBJECT_OT_mode_set'}
@@ -42,8 +43,17 @@ def _go():
         _take_back()
         for operator in (bpy.ops.splinewright.edit_net, bpy.ops.splinewright.edit_source):
             if operator.poll():
-                operator('INVOKE_DEFAULT', True)
+                _call(operator)
                 return
+
+
+def _call(operator):
+    """What it refuses, as where a definition is damaged or newer, is said: no operator is there to report it."""
+    try:
+        with blenders_refusals():
+            operator('INVOKE_DEFAULT', True)
+    except Refusal as error:
+        texts.pop_up(sentence(error))
 
 
 def _take_back():

@@ -207,5 +207,13 @@ def entry_of(operator):
     return next((entry for top in (NET, OBJECT) for entry in operators_in(top) if entry.operator == operator), Entry(operator))
 
 
+def _pie(*names):
+    return tuple(map(entry_of, names))
+
+
+#: What is used most in nets, around the mouse: left, right, below, above, and the corners from the upper left one on.
+PIE_OF_CURVES = _pie('insert_here', 'weight_here', 'leave_net', 'pull_here', 'raise_degree', 'radius_here', 'split', 'rebuild')
+PIE_OF_PATCHES = _pie('insert_here', 'weight_here', 'leave_net', 'pull_here', 'raise_degree', 'make_periodic', 'split', 'rebuild')
+
 #: Each menu once.
 MENUS = tuple(dict.fromkeys(below for top in TOPS for below in menus_in(top)))

@@ -5,12 +5,6 @@ import bpy
 from ..core.base.words import say
 from . import active_shape, editing, menu_table, offered
 
-#: Of curves and of patches: left, right, below, above, and the corners from the upper left one on.
-_CURVE = ("insert_here", "weight_here", "leave_net", "radius_here", "tilt_here", "make_periodic", "point_to_infinity",
-          "set_knots")
-_PATCH = ("insert_here", "weight_here", "leave_net", "raise_degree", "split", "make_periodic", "point_to_infinity", "set_knots")
-_ICONS = {'leave_net': 'CHECKMARK'}
-
 
 class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
     bl_idname = "SPLINEWRIGHT_MT_pie"
@@ -19,11 +13,10 @@ class SPLINEWRIGHT_MT_pie(bpy.types.Menu):
     def draw(self, context):
         pie = self.layout.menu_pie()
         pie.operator_context = 'INVOKE_REGION_WIN'
-        names = _CURVE if isinstance(context.object.data, bpy.types.Curve) else _PATCH
-        for name in names:
+        for entry in menu_table.PIE_OF_CURVES if isinstance(context.object.data, bpy.types.Curve) else menu_table.PIE_OF_PATCHES:
             row = pie.row()
-            row.enabled = not offered.is_gray(menu_table.entry_of(name), active_shape.shapes(context))
-            row.operator(f"splinewright.{name}", text=say(offered.text_of(name)), icon=_ICONS.get(name, 'NONE'))
+            row.enabled = not offered.is_gray(entry, active_shape.shapes(context))
+            row.operator(f"splinewright.{entry.operator}", text=say(offered.text_of(entry.operator)), icon=entry.icon)
 
 
 class SPLINEWRIGHT_OT_pie(bpy.types.Operator):

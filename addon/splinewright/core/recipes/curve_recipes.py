@@ -33,7 +33,7 @@ _FORMULAS = (
     Parameter("x", "x(t)", "Numbers, t, pi, e, + - * / ^ and functions such as sin, exp, sqrt", "cos(3*t)"),
     Parameter("y", "y(t)", "As x", "sin(2*t)"), Parameter("z", "z(t)", "As x", "0"),
     Parameter("start", "Start", "First t", 0.0), Parameter("end", "End", "Last t", 2 * np.pi),
-    Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""))
+    Parameter("constants", "Constants", "Numbers that you name: a = 2, b = pi/3", ""))
 
 
 #: Points, each followed by the heads of its derivatives.

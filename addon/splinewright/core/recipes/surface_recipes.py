@@ -153,7 +153,7 @@ PRIMITIVES = (
             Parameter("y", "y(u, v)", "As x", "v"), Parameter("z", "z(u, v)", "As x", "0.3*sin(pi*u)*cos(pi*v)"),
             Parameter("start_u", "First u", "Where u begins", -1.0), Parameter("end_u", "Last u", "Where u ends", 1.0),
             Parameter("start_v", "First v", "Where v begins", -1.0), Parameter("end_v", "Last v", "Where v ends", 1.0),
-            Parameter("constants", "Constants", "Numbers with names of your own: a = 2, b = pi/3", ""), _TOLERANCE),
+            Parameter("constants", "Constants", "Numbers that you name: a = 2, b = pi/3", ""), _TOLERANCE),
            _formula, is_surface=True, resolution=4),
 )
 

@@ -34,9 +34,15 @@ def rolled(body, edge, radius, tolerance, cancel=None):
         first = first or found
     if first is not None:
         return first
-    if phrase("edge {number}", number=edge.number) in str(refused):
+    if _names_an_edge(refused.args[0]):
         raise refused
     raise Refusal("edge {number}: {refused}", number=edge.number, refused=refused) from refused
+
+
+def _names_an_edge(text):
+    """Whether a sentence, or one within it, was filled with numbers of edges."""
+    filled = getattr(text, 'arguments', {})
+    return bool({'number', 'numbers'} & filled.keys()) or any(map(_names_an_edge, filled.values()))
 
 
 class _Rolling:

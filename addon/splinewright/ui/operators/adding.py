@@ -70,8 +70,8 @@ class AddShape(AddObjectHelper):
         name="Radius", description="Distance from the middle to the sides",
         default=1.0, min=0.0001, soft_max=100.0, unit='LENGTH')
     # In place of those of Blender's helper, which presets would hold.
-    location: FloatVectorProperty(name="Location", subtype='TRANSLATION', options={'SKIP_SAVE'})
-    rotation: FloatVectorProperty(name="Rotation", subtype='EULER', options={'SKIP_SAVE'})
+    location: FloatVectorProperty(name="Location", description="Where the new object is in the world", subtype='TRANSLATION', options={'SKIP_SAVE'})
+    rotation: FloatVectorProperty(name="Rotation", description="How the new object is rotated in the world", subtype='EULER', options={'SKIP_SAVE'})
 
     @classmethod
     def poll(cls, context):

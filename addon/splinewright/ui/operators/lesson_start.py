@@ -118,7 +118,7 @@ class SPLINEWRIGHT_OT_start_lesson_file(ImportHelper, bpy.types.Operator):
 class SPLINEWRIGHT_OT_show_lesson_folder(bpy.types.Operator):
     bl_idname = "splinewright.show_lesson_folder"
     bl_label = "Show Lesson Folder"
-    bl_description = "Open the folder for lessons of your own: files that lie there stand in the panel Lessons"
+    bl_description = "Open the folder for your lessons: files that lie there stand in the panel Lessons"
     bl_options = {'INTERNAL'}
 
     def execute(self, context):

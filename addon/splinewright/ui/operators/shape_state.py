@@ -69,7 +69,7 @@ class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
 class SPLINEWRIGHT_OT_adopt_transform(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.adopt_transform"
     bl_label = "Accept Applied Transform"
-    bl_description = "The mesh or curve was moved as a whole, by Blender's Apply say: move the definition, too"
+    bl_description = "Move the definition, too, after Blender's Apply moved the mesh or curve as a whole"
     done = "Adopted the transform of {what}"
 
     def work(self, context, ob):
