@@ -35,7 +35,7 @@ def picture(moved):
                    height=HEIGHT, resolution_u=48)
     ob.data.materials.pop()             # its functions have materials of their own
     for u in range(8):
-        stage.label(label_of(u, moved), (-WIDTH / 2 + u * WIDTH / 7, y - 0.2), 0.15, 'CENTER')
+        stage.label(label_of(u, moved), (-WIDTH / 2 + u * WIDTH / 7, y - 0.4), 0.15, 'CENTER')
     return stage.tube(ob, 0.016)
 
 

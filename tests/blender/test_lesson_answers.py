@@ -37,6 +37,18 @@ def test_answers_outlive_the_scene_and_are_counted_on():
     assert stage.recorded(scene) == {CUT.name: {"3": {'answer': 1, 'right': True, 'tries': 2}}} and not stage.lesson_of(scene)
 
 
+def test_answers_of_a_lesson_that_was_begun_in_another_outlive_both():
+    answered(1)
+    assert op(bpy.ops.splinewright.start_lesson, lesson="doubled-points") == {'FINISHED'}
+    bpy.context.window.scene = next(scene for scene in bpy.data.scenes if stage.lesson_of(scene) == "doubled-points")
+    op(bpy.ops.splinewright.lesson_step, way='NEXT')
+    op(bpy.ops.splinewright.check_answer, choice=1)
+    op(bpy.ops.splinewright.leave_lesson)
+    assert stage.lesson_of(bpy.context.scene) == CUT.name
+    op(bpy.ops.splinewright.leave_lesson)
+    assert set(stage.all_answers(bpy.context.scene)) == {CUT.name, "doubled-points"}
+
+
 def test_leaving_without_an_answer_leaves_nothing():
     started()
     op(bpy.ops.splinewright.leave_lesson)

@@ -173,6 +173,29 @@ def test_text_in_the_view_is_wrapped_by_its_width():
     assert lines == ["one two", "three", "four", "incomprehensibilities"] and texts.wrapped("", 9, len) == []
 
 
+def test_overlays_that_there_are_not_are_left_out(folder):
+    named = ["labels", "__class__", "bl_rna", "rna_type", "name", "wings", "comb_scale"]
+    path = put(folder, "a.json", lesson(steps=[{**lesson()['steps'][0], 'overlays': named}]))
+    assert op(bpy.ops.splinewright.start_lesson_file, filepath=str(path)) == {'FINISHED'}
+    sights = bpy.data.scenes["My Own"].splinewright_sights
+    assert sights.labels and sights.name == ""
+
+
+def test_a_lesson_that_is_linked_from_another_file_is_not_changed(folder, tmp_path):
+    op(bpy.ops.splinewright.start_lesson_file, filepath=str(put(folder, "a.json", lesson())))
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "own.blend"))
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    with bpy.data.libraries.load(str(tmp_path / "own.blend"), link=True) as (there, wanted):
+        wanted.scenes = ["My Own"]
+    bpy.context.window.scene = wanted.scenes[0]
+    before = everything()
+    for name in ('lesson_step', 'check_answer', 'show_solution', 'pick_answer'):
+        with pytest.raises(RuntimeError, match="My Own is linked from another file"):
+            op(getattr(bpy.ops.splinewright, name))
+    assert everything() == before
+    assert op(bpy.ops.splinewright.leave_lesson) == {'FINISHED'} and not [one for one in bpy.data.scenes if stage.lesson_of(one)]
+
+
 def test_a_lesson_can_be_undone(folder):
     path = put(folder, "a.json", lesson())
     bpy.ops.ed.undo_push(message="before")

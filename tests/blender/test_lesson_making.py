@@ -98,7 +98,7 @@ def test_a_lesson_is_made_in_ten_steps_and_played():
     op(bpy.ops.splinewright.lesson_step, way='NEXT')
     assert stage.shapes_of(scene)['curve'].value == BENT and stage.answer(scene, made, BENT.evaluate(0.5)[1])
     op(bpy.ops.splinewright.leave_lesson)
-    assert "5 steps, 4 questions" in drawn_by(maker.SPLINEWRIGHT_PT_lesson_maker, bpy.context).texts
+    assert "Steps: 5, questions: 4" in drawn_by(maker.SPLINEWRIGHT_PT_lesson_maker, bpy.context).texts
 
 
 def test_checking_leaves_the_file_as_it_was():

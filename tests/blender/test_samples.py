@@ -53,13 +53,29 @@ def opened(name):
     return {ob.name: ob.data.splinewright.value for ob in bpy.data.objects if part('bridge.shape.shape').has_shape(ob)}
 
 
-def test_five_inner_knots_of_degree_5_are_merged_one_after_the_other():
-    shapes = opened('knots')
-    curves = [value for name, value in shapes.items() if name.startswith("Inner knots")]
-    assert all(curve.degree == 5 and len(curve.points) == 11 for curve in curves)
-    assert sorted(curve.knot_vector.multiplicity(3.0) for curve in curves) == [1, 2, 3, 4, 5]
-    assert sorted(curve.continuity(3.0).c for curve in curves) == [0, 1, 2, 3, 4]
-    assert sum(name.startswith("Basis functions") for name in shapes) == 5
+def settings_of_functions(number):
+    return recipes.parameters(bpy.data.objects[f"Functions {number}"].data)
+
+
+def test_of_six_inner_knots_of_degree_5_four_are_moved_onto_the_last():
+    opened('knots')
+    for moved in range(5):
+        settings = settings_of_functions(moved + 1)
+        knots = [float(word) for word in settings['knot_values'].split()]
+        assert settings['degree'] == 5 and len(knots) == 18
+        assert sorted(knots[6:12]) == [*range(1, 6 - moved), *[6] * (moved + 1)]
+
+
+def test_the_keys_of_the_first_picture_make_it_the_others():
+    opened('knots')
+    scene, shape = bpy.context.scene, part('bridge.shape.shape')
+    for moved in range(5):
+        scene.frame_set(1 + 24 * moved)
+        bpy.context.view_layer.update()
+        shown, wanted = (shape.value_of(bpy.data.objects[f"Functions {number}"].data) for number in (1, moved + 1))
+        places = [np.vstack([curve.evaluate(np.linspace(*curve.domain, 9)) for curve in curves]) for curves in (shown, wanted)]
+        assert np.abs(places[0] - places[1]).max() < 1e-6, moved
+    assert scene.frame_end == 1 + 24 * 4
 
 
 def test_runges_polynomial_oscillates_and_the_spline_beside_it_does_not():

@@ -192,7 +192,7 @@ DO = ('steps', 1, 'ask', 'do', 0)
 
 
 @pytest.mark.parametrize('path, to, said', (
-    (('format',), 2, "this version reads 1"), (('title',), None, "'title' is missing"), (('title',), 3, "title: a text"),
+    (('format',), 2, "this version reads 1"), (('format',), True, "this version reads 1"), (('title',), None, "'title' is missing"), (('title',), 3, "title: a text"),
     (('steps',), [], "1 to 60 steps"), (('steps',), "many", "1 to 60 steps"), ((*STEP, 'run'), "import os", "step 1: 'run' is not known"),
     ((*STEP, 'make', 0, 'value'), {'bezier': "no"}, "step 1, make 1, value: it is not a curve or patch"),
     ((*STEP, 'make', 1, 'recipe'), "exec", "there is no recipe 'exec'"), ((*STEP, 'make', 1, 'of'), [], "it is made from one curve, not from 0"),

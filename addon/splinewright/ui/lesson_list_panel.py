@@ -77,7 +77,7 @@ def _draw_own(layout):
         name = path.stem.encode('utf-8', 'replace').decode('utf-8')
         column.operator("splinewright.start_lesson_file", text=short(name), icon='FILE').filepath = str(path)
     if len(files) > _MOST:
-        column.label(text=say(phrase("and {count} more files", count=len(files) - _MOST)))
+        column.label(text=say(phrase("and {count} more files", one="and {count} more file", count=len(files) - _MOST)))
     for name in shelf.blocks():
         column.operator("splinewright.start_lesson", text=short(name), icon='TEXT').text = name
     if not files and not shelf.blocks():

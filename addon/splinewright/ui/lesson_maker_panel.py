@@ -31,7 +31,7 @@ class SPLINEWRIGHT_PT_lesson_maker(BesideLessons, bpy.types.Panel):
             texts.draw_problem(layout, sentence(error))
             return
         asked = sum(step.ask is not None for step in lesson.steps)
-        layout.label(text=say(phrase("{count} steps, {asked} questions", count=len(lesson.steps), asked=asked)))
+        layout.label(text=say(phrase("Steps: {count}, questions: {asked}", count=len(lesson.steps), asked=asked)))
         column = layout.column(align=True)
         column.label(text="Text of the Next Step")
         column.prop(scene, "splinewright_step_words", text="")

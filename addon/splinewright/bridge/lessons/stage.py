@@ -192,10 +192,11 @@ def recorded(scene):
 
 
 def record(scene, other):
-    """Keep the answers of a lesson's scene with another one, which stays, or with itself."""
-    given = answers(scene)
+    """Keep the answers of a lesson's scene, and those of lessons that were begun in it and left, with another one, which stays, or with
+    itself."""
+    given = {name: found for name, found in all_answers(scene).items() if found}
     if given:
-        other[RECORD] = json.dumps({**recorded(other), lesson_of(scene): given})
+        other[RECORD] = json.dumps(kept_answers.merged([recorded(other), given]))
 
 
 def all_answers(scene):

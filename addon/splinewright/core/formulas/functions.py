@@ -88,6 +88,7 @@ def _interval(first, last):
 def _require_knots(degree, knots, count):
     if count < 1:
         raise Refusal("{count} knots have no function of degree {degree}: at least {least} are needed",
+                      "{count} knot has no function of degree {degree}: at least {least} are needed",
                       count=len(knots), degree=degree, least=degree + 2)
     if count > MOST:
         raise Refusal("these are {count} functions: {most} are the most", count=count, most=MOST)
@@ -171,7 +172,7 @@ def natural(nodes):
 def _require_nodes(nodes, least):
     nodes = np.asarray(nodes, dtype=np.float64)
     if len(nodes) < least:
-        raise Refusal("{count} nodes are too few: at least {least} are needed", count=len(nodes), least=least)
+        raise Refusal("{count} nodes are too few: at least {least} are needed", "{count} node is not enough: at least {least} are needed", count=len(nodes), least=least)
     if len(nodes) > MOST:
         raise Refusal("these are {count} functions: {most} are the most", count=len(nodes), most=MOST)
     if not np.isfinite(nodes).all() or not (np.diff(nodes) > 0).all():

@@ -47,7 +47,7 @@ def _object(pairs):
 
 def _lesson(place):
     found = place.fields(('format', 'name', 'title', 'steps'), ('lectures',))
-    if found['format'].found != FORMAT:
+    if found['format'].found != FORMAT or isinstance(found['format'].found, bool):
         found['format'].fail("it is {found!r}: this version reads {format}", found=found['format'].found, format=FORMAT)
     steps = found['steps'].found
     if not isinstance(steps, list) or not 1 <= len(steps) <= MOST_STEPS:

@@ -50,7 +50,7 @@ class SPLINEWRIGHT_OT_collect_answers(ImportHelper, bpy.types.Operator):
             whole_files.write(table, answers.table(rows), 'utf-8-sig')      # spreadsheets tell UTF-8 by its mark
         except OSError as error:
             return reports.failed(self, error, table.name)
-        said = phrase("{count} answers of {files} files are in {table}", one="{count} answer of {files} files are in {table}",
+        said = phrase("{count} answers are in {table}; files with answers: {files}", one="{count} answer is in {table}; files with answers: {files}",
                       count=len(rows), files=len(paths) - len(refused) - len(empty), table=table)
         return reports.finished(self, reports.Report(said, warnings=(*refused, *empty)))
 

@@ -16,6 +16,7 @@ from ...core.base.words import phrase, say
 from ...core.lessons import drafts, reading
 from ..ui_state import ui_state
 from . import polls, reports
+from .lesson_start import overlays
 
 _LESSON = "splinewright_lesson_draft"
 _WORDS = "splinewright_step_words"
@@ -44,11 +45,6 @@ def write(block, draft):
                       count=len(text), most_bytes=reading.MOST_BYTES)
     block.from_string(text)
     ui_state.lesson_faults = ()
-
-
-def overlays(scene):
-    """Names of the switches of overlays."""
-    return {known.identifier for known in scene.splinewright_sights.bl_rna.properties if known.type == 'BOOLEAN'}
 
 
 def _seen(context):
@@ -147,7 +143,7 @@ class SPLINEWRIGHT_OT_new_lesson(_WithWords, bpy.types.Operator):
         setattr(scene, _LESSON, block)
         setattr(scene, _WORDS, None)
         return reports.finished(self, reports.Report(phrase("{name} is in the Text Editor: {count} shapes",
-                                                            name=block.name, count=len(makes)), notes=kept_as_values(found)))
+                                                            one="{name} is in the Text Editor: {count} shape", name=block.name, count=len(makes)), notes=kept_as_values(found)))
 
 
 def kept_as_values(found):
@@ -178,7 +174,7 @@ class SPLINEWRIGHT_OT_add_lesson_step(_WithWords, _OnDraft, bpy.types.Operator):
         setattr(scene, _WORDS, None)
         made, changed = len(makes), len(step.get('change', ()))
         return reports.finished(self, reports.Report(
-            phrase("Step {number}: {count} new shapes, {changed} changed",
+            phrase("Step {number}: {count} new shapes, {changed} changed", one="Step {number}: {count} new shape, {changed} changed",
                    number=len(lesson.steps) + 1, count=made, changed=changed), notes=kept_as_values({all_names[ob]: found[all_names[ob]] for ob in new}),
             warnings=tuple(phrase("{name} is gone: in the lesson it stays as it was",
                                   name=name) for name in _gone(names, known).values())))
@@ -201,7 +197,7 @@ class SPLINEWRIGHT_OT_check_lesson(_OnDraft, bpy.types.Operator):
         if ui_state.lesson_faults:
             return reports.cancelled(self, *ui_state.lesson_faults)
         return reports.finished(self, reports.Report(phrase("{name}: all {count} steps are in order",
-                                                            name=block.name, count=len(lesson.steps))))
+                                                            one="{name}: its only step is in order", name=block.name, count=len(lesson.steps))))
 
 
 class SPLINEWRIGHT_OT_export_lesson(_OnDraft, ExportHelper, bpy.types.Operator):

@@ -29,12 +29,15 @@ def _lessons(_self, _context):
     return _items()
 
 
+def overlays(scene):
+    """Names of the switches of overlays."""
+    return {known.identifier for known in scene.splinewright_sights.bl_rna.properties if known.type == 'BOOLEAN'}
+
+
 def show_view(context, step):
     """Look from where a step is seen best, at all that it shows."""
-    chosen = context.scene.splinewright_sights
-    for name in step.overlays:
-        if hasattr(chosen, name):
-            setattr(chosen, name, True)
+    for name in overlays(context.scene).intersection(step.overlays):
+        setattr(context.scene.splinewright_sights, name, True)
     area = context.area
     if area is None or area.type != 'VIEW_3D':
         return

@@ -64,6 +64,8 @@ class _OfLesson:
 
     def execute(self, context):
         try:
+            if context.scene.library is not None:
+                raise Refusal("{name} is linked from another file and cannot be changed here", name=context.scene.name)
             lesson = current(context.scene)
             if context.mode != 'OBJECT' and not self.is_about_points(context.scene, lesson):
                 editing.end()
