@@ -140,13 +140,7 @@ def mending(view):
 
 
 def steps():
-    view = View()
-    view.open_sidebar()
-    yield from redrawn()
-    yield from view.show_tab("NURBS", (1045, 538))
-    view.move(420, 420)
-    for part_of_it in (pictures, following, mending):
-        yield from part_of_it(view)
+    yield from View().in_sidebar(pictures, following, mending)
     print("the sidebar has something in every state:", bpy.app.version_string, flush=True)
 
 

@@ -125,13 +125,7 @@ def lessons(view):
 
 
 def steps():
-    view = View()
-    view.open_sidebar()
-    yield from redrawn()
-    yield from view.show_tab("NURBS", (1045, 538))
-    view.move(420, 420)
-    for part_of_it in (lessons, shapes, recipes):
-        yield from part_of_it(view)
+    yield from View().in_sidebar(lessons, shapes, recipes)
     save_picture(OUTPUT / "workspace_texts.png")
     lacking = {cls.__name__ for cls in panels()} - seen
     assert not lacking, lacking

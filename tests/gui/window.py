@@ -173,6 +173,15 @@ class View:
         yield from until(is_shown, f"a tab {name} in the sidebar")
         yield from redrawn()
 
+    def in_sidebar(self, *parts):
+        """Steps that bring the tab NURBS of the sidebar up, and then those of each part, by this view."""
+        self.open_sidebar()
+        yield from redrawn()
+        yield from self.show_tab("NURBS", (1045, 538))
+        self.move(420, 420)
+        for part_of_it in parts:
+            yield from part_of_it(self)
+
     def beside(self, kind):
         """An area of a kind beside the view, which gives it half of its room."""
         known = set(self.window.screen.areas)

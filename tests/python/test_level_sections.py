@@ -1,4 +1,4 @@
-"""A plane cuts patches of which whole pieces lie in it, to one side of it beside them: the border of these, and lines of knots in it."""
+"""A plane cuts patches of which whole pieces lie in it: the border of these, and lines of knots in it."""
 
 from dataclasses import dataclass
 
@@ -93,7 +93,8 @@ def border_places(of):
                     yield u[i] + t * (u[i + 1] - u[i]), v[k + side]
 
 
-def check(of, placed):
+def lines_with_borders(of, placed):
+    """The Sections and their segments_of(), if these have the borders of all that is level."""
     origin, normal = placed[:3, 3], placed[:3, 2] / np.linalg.norm(placed[:3, 2])
     found = of.patch.transformed(placed).plane_sections(origin, normal)
     lines = segments_of(found, np.linalg.inv(placed))
@@ -101,6 +102,11 @@ def check(of, placed):
     assert found.are_one and np.abs(segments[..., 2]).max() <= 1e-4 * of.size
     for u, v in border_places(of):
         assert distance(of.patch.evaluate(u, v)[:2], segments) <= NEAR * of.size
+    return found, lines
+
+
+def check(of, placed):
+    found, lines = lines_with_borders(of, placed)
     for i, line in enumerate(lines):
         others = [other for k, other in enumerate(lines) if k != i]
         looks = line[50:-50:80, 0, :2]
@@ -117,6 +123,20 @@ def test_level_parts(inputs, heights, lowest):
         of = terrain(rng, lowest, heights)
         if of.level.any() and not of.level.all():
             check(of, placement(rng))
+
+
+@pytest.mark.parametrize('lowest', [1, 2])
+def test_level_parts_where_the_patch_also_goes_through_the_plane(inputs, lowest):
+    """No border is lost; where it is not told how the patch leaves the plane that is said."""
+    rng = np.random.default_rng(10 + lowest)
+    for _ in range(inputs(200)):
+        of = terrain(rng, lowest, lambda z: z)
+        if not of.level.any() or of.level.all():
+            continue
+        try:
+            lines_with_borders(of, placement(rng))
+        except sc.InvalidShape as error:
+            assert "nearly" in str(error)
 
 
 def flat_but_for(count, degree, row, column):

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
@@ -64,7 +65,7 @@ class SectionSearch {
     };
     const IsPairKnown is_known = [&](const PatchPart& a, const PatchPart& b) { return touching_.knows(a, b); };
     const double smallest = std::max(kOfTolerance * tolerance_, kSmallest);
-    if (level_) take_level();
+    if (level_ && level_->are_told()) take_level();
     if (match_) {
       touching_.is_known_place = [&](const PatchSpots& at) { return match_->is_about(at); };
       for (SectionTrace& border : match_->borders()) touching_.add_border(std::move(border));
@@ -86,6 +87,9 @@ class SectionSearch {
     search.is_known_place = [&](const PatchSpots& at) { return match_ && match_->joins(at); };
     search.on_contact = [&](const PatchSpots& at) { contacts_.push_back({at, a_.at(at.a).point}); };
     for (const CrossingRanges& ranges : pairs.crossing) search.explore(ranges.of(patches()));
+    if (level_ && level_->any() && !level_->are_told()) {
+      add_level_borders([&](const glm::dvec3& point) { return is_on_curve(point); });
+    }
     const auto is_end = [&](const glm::dvec3& point) { return is_touch_near(point); };
     const SortedTraces sorted = without_ridges(patches(), crossing_.traces(), tolerance_);
     const std::vector<SectionTrace> crossing = joined_traces(patches(), sorted.crossing, is_end, tolerance_);
@@ -147,9 +151,13 @@ class SectionSearch {
     }
   }
 
+  void add_level_borders(const std::function<bool(const glm::dvec3&)>& is_known) {
+    for (SectionTrace& border : level_->borders(0.5 * tolerance_, is_known)) touching_.add_border(std::move(border), true);
+  }
+
   /// Takes what pieces that lie in the plane say of how the patch leaves it.
   void take_level() {
-    for (SectionTrace& border : level_->borders(0.5 * tolerance_)) touching_.add_border(std::move(border), true);
+    add_level_borders([](const glm::dvec3&) { return false; });
     for (LevelLine& line : level_->lines(0.5 * tolerance_)) {
       if (line.is_crossing) {
         crossing_.add(std::move(line.trace));
@@ -181,6 +189,10 @@ class SectionSearch {
     if (found.places.empty()) return SeedFate::known;
     crossing_.add(std::move(found));
     return SeedFate::traced;
+  }
+
+  bool is_on_curve(const glm::dvec3& point) const {
+    return crossing_.are_near(point, 4.0 * tolerance_) || touching_.is_near(point, 4.0 * tolerance_);
   }
 
   /// Whether patches touch near a point.

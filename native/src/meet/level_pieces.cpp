@@ -61,11 +61,12 @@ LevelPieces::LevelPieces(const TwoPatches& patches, double rounding) : patches_(
   const Slopes<2> middle = patches.b.at({0, {0.5, 0.5}});
   origin_ = middle.point;
   normal_ = glm::normalize(glm::cross(middle.first[0], middle.first[1]));
-  find_level();
+  for (std::size_t i = 0; i < patches.a.size(); ++i) level_.push_back(is_in_plane(i));
   if (std::ranges::none_of(level_, std::identity{})) return;
+  for (std::size_t i = 0; i < level_.size(); ++i) heights_.push_back(heights_of(i));
   is_told_ = level_;
   for (std::size_t i = 0; i < level_.size(); ++i) {
-    if (level_[i] || std::ranges::none_of(heights_of(i).values, [](double height) { return height == 0.0; })) continue;
+    if (level_[i] || std::ranges::none_of(heights_[i].values, [](double height) { return height == 0.0; })) continue;
     is_told_[i] = is_met_by_sides_alone(i);
     if (is_told_[i] || !is_beside_level(i)) continue;
     is_told_.clear();
@@ -73,14 +74,11 @@ LevelPieces::LevelPieces(const TwoPatches& patches, double rounding) : patches_(
   }
 }
 
-void LevelPieces::find_level() {
-  const auto is_in_plane = [&](const glm::dvec4& h) {
+bool LevelPieces::is_in_plane(std::size_t piece) const {
+  breathe(16);
+  return std::ranges::all_of(patches_.a.piece(piece).values, [&](const glm::dvec4& h) {
     return std::abs(glm::dot(normal_, glm::dvec3(h) - h.w * origin_)) <= rounding_ * std::abs(h.w);
-  };
-  for (std::size_t i = 0; i < patches_.a.size(); ++i) {
-    breathe(16);
-    level_.push_back(std::ranges::all_of(patches_.a.piece(i).values, is_in_plane));
-  }
+  });
 }
 
 /// Times weights, which have one sign.
@@ -109,7 +107,7 @@ bool LevelPieces::is_met_by_sides_alone(std::size_t piece) const {
   breathe(64);
   const auto [low, high] = patches_.a.piece(piece).range([](const glm::dvec4& h) { return h.w; });
   if (!(low > 0.0 || high < 0.0)) return false;
-  BernsteinNet<double> net = heights_of(piece);
+  BernsteinNet<double> net = heights_[piece];
   for (const PieceSide& side : kSides) {
     const std::size_t lines = zero_lines(net, side);
     const auto beside = patches_.a.beyond(piece, side);
@@ -135,7 +133,7 @@ bool LevelPieces::is_beside_level(std::size_t piece) const {
 
 /// The sign of heights beside a side that lies in the plane; 0 if there are both.
 int LevelPieces::sign_beside(std::size_t piece, const PieceSide& side) const {
-  BernsteinNet<double> net = heights_of(piece);
+  BernsteinNet<double> net = heights_[piece];
   for (std::size_t i = zero_lines(net, side); i > 0; --i) net = divided(net, side);
   return sign_of(side_of(net, side));
 }
@@ -144,12 +142,18 @@ int LevelPieces::sign_beside(std::size_t piece, const PieceSide& side) const {
 /// is not told, or there is none.
 int LevelPieces::line_at(std::size_t piece, const PieceSide& side) const {
   const auto beside = patches_.a.beyond(piece, side);
-  if (!beside || level_[piece] || level_[*beside] || zero_lines(heights_of(piece), side) == 0) return 0;
+  if (!beside || level_[piece] || level_[*beside] || zero_lines(heights_[piece], side) == 0) return 0;
   return -sign_beside(piece, side) * sign_beside(*beside, {side.axis, !side.is_end});
 }
 
 bool LevelPieces::is_border(std::size_t piece, const PieceSide& side) const {
   return level_[piece] && !patches_.a.is_pole(piece, side) && !is_level(patches_.a.beyond(piece, side));
+}
+
+glm::dvec3 LevelPieces::point_on(std::size_t piece, const PieceSide& side, double share) const {
+  PatchSpot spot{piece, {share, share}};
+  spot.at[number_of(side.axis)] = side.is_end ? 1.0 : 0.0;
+  return patches_.a.at(spot).point;
 }
 
 void LevelPieces::add_side(SectionTrace& trace, std::size_t piece, const PieceSide& side, double tolerance) const {
@@ -192,13 +196,16 @@ std::vector<SectionTrace> LevelPieces::sides(const PieceSide& side, double toler
   return found;
 }
 
-std::vector<SectionTrace> LevelPieces::borders(double tolerance) const {
+std::vector<SectionTrace> LevelPieces::borders(double tolerance, const std::function<bool(const glm::dvec3&)>& is_known) const {
   std::vector<SectionTrace> found;
-  if (!are_told()) return found;
+  if (!any()) return found;
   for (const PieceSide& side : kSides) {
-    for (SectionTrace& trace : sides(side, tolerance, [&](std::size_t piece) { return is_border(piece, side); })) {
-      found.push_back(std::move(trace));
-    }
+    const auto is_new = [&](std::size_t piece) {
+      return is_border(piece, side) && !std::ranges::all_of(std::array{0.1, 0.37, 0.5, 0.8}, [&](double share) {
+        return is_known(point_on(piece, side, share));
+      });
+    };
+    for (SectionTrace& trace : sides(side, tolerance, is_new)) found.push_back(std::move(trace));
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,26 +26,30 @@ class LevelPieces {
   /// @param rounding  heights below are none
   LevelPieces(const TwoPatches& patches, double rounding);
 
-  /// Whether that is known of all pieces beside such pieces. If not, nothing is known.
+  /// Whether there are such pieces.
+  bool any() const noexcept { return !heights_.empty(); }
+
+  /// Whether it is known of all pieces beside them what these have in common with the plane. If not, borders() alone knows anything.
   bool are_told() const noexcept { return !is_told_.empty(); }
 
   /// Whether a part of the patch has nothing in common with the plane but such pieces and lines().
   bool explains(const PatchPart& part) const { return are_told() && is_told_[part.piece]; }
 
-  /// Sides of such pieces beyond which there is none.
-  std::vector<SectionTrace> borders(double tolerance) const;
+  /// Sides of such pieces beyond which there is none, but for those that is_known is true of all along.
+  std::vector<SectionTrace> borders(double tolerance, const std::function<bool(const glm::dvec3&)>& is_known) const;
 
   /// Sides in the plane between other pieces, of which explains() is asked.
   std::vector<LevelLine> lines(double tolerance) const;
 
  private:
+  bool is_in_plane(std::size_t piece) const;
   BernsteinNet<double> heights_of(std::size_t piece) const;
-  void find_level();
   bool is_met_by_sides_alone(std::size_t piece) const;
   bool is_level(std::optional<std::size_t> piece) const { return piece && level_[*piece]; }
   bool is_level_at_corner(std::size_t piece, bool is_end_u, bool is_end_v) const;
   bool is_beside_level(std::size_t piece) const;
   bool is_border(std::size_t piece, const PieceSide& side) const;
+  glm::dvec3 point_on(std::size_t piece, const PieceSide& side, double share) const;
   int sign_beside(std::size_t piece, const PieceSide& side) const;
   int line_at(std::size_t piece, const PieceSide& side) const;
   template <class IsThere>
@@ -56,6 +61,7 @@ class LevelPieces {
   glm::dvec3 origin_;
   glm::dvec3 normal_;
   std::vector<bool> level_;
+  std::vector<BernsteinNet<double>> heights_;
   std::vector<bool> is_told_;
 };
 

@@ -172,7 +172,8 @@ def natural(nodes):
 def _require_nodes(nodes, least):
     nodes = np.asarray(nodes, dtype=np.float64)
     if len(nodes) < least:
-        raise Refusal("{count} nodes are too few: at least {least} are needed", "{count} node is not enough: at least {least} are needed", count=len(nodes), least=least)
+        raise Refusal("{count} nodes are too few: at least {least} are needed", "{count} node is not enough: at least {least} are needed",
+                      count=len(nodes), least=least)
     if len(nodes) > MOST:
         raise Refusal("these are {count} functions: {most} are the most", count=len(nodes), most=MOST)
     if not np.isfinite(nodes).all() or not (np.diff(nodes) > 0).all():

@@ -15,7 +15,7 @@ namespace splinecore {
 enum class SectionKind {
   crossing,  ///< they go through each other
   touching,  ///< they touch, and part to both sides, also at a crease: a ridge or a valley of one lies on the other
-  border,    ///< they are one up to it: the border of one lies on the other
+  border,    ///< they are one up to it: one ends there, or leaves the other
 };
 
 /// A curve that two shapes have in common, and its images: the points (u, v, 0) of both by the same parameter, which is
