@@ -175,7 +175,8 @@ def test_compare_tells_what_differs(capsys, file):
     code, out, _ = call(capsys, "compare", a, other)
     assert code == 1 and "0: up to 0.001 apart" in out and out.endswith("different\n")
     assert call(capsys, "compare", a, other, "--tolerance", 0.0011)[0] == 0
-    assert call(capsys, "compare", a, file("d.json", circle()))[0] == 1
+    one = file("d.json", circle())
+    assert call(capsys, "compare", one, a)[:2] == (1, f"{one} holds 1 shape, {a} 2\n")
     assert "NurbsCurve and a NurbsPatch" in call(capsys, "compare", a, file("e.json", torus(), torus()))[1]
 
 
@@ -204,7 +205,9 @@ def test_wrong_places_and_endings_are_told_of(capsys, file, tmp_path):
             (["info", tmp_path / "none.json"], "cannot be read"), (["info", tmp_path], "cannot be read"),
             (["tessellate", path, tmp_path / "none/a.obj"], "cannot be written"),
             (["tessellate", path, tmp_path / "a.step"], ".obj, .ply, .stl, .glb can be written"),
-            (["convert", path, tmp_path / "a.iges"], ".json, .bpt can be written"),
+            (["convert", path, tmp_path / "a.iges"], "a.iges: .json, .bpt can be written\n"),
+            (["convert", path, tmp_path / "a.stl"], ".json, .bpt can be written; tessellate writes .stl"),
+            (["tessellate", path, tmp_path / "b.json"], "can be written; convert writes .json"),
             (["tessellate", path, tmp_path / "a.obj", "--resolution", 0], "resolution"),
             (["tessellate", path, tmp_path / "a.obj", "--tolerance", "nan"], "tolerance")):
         code, out, err = call(capsys, *arguments)

@@ -27,6 +27,7 @@ from . import (
 
 PATCHES = (NurbsPatch, BezierPatch, HermitePatch)
 SURFACES = (PatchSet, *PATCHES)
+ENDINGS = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl", ".glb")}
 
 
 class Refused(Exception):
@@ -83,10 +84,15 @@ def info(args):
             values, code = None, 2
         progress.step()
         if values is not None:
-            print(f"{path}: {len(values)} {'shape' if len(values) == 1 else 'shapes'}")
+            print(f"{path}: {shapes(len(values))}")
             for i, value in enumerate(values):
                 print(f"  {i}: {describe(value)}")
     return code
+
+
+def shapes(count):
+    """A number of shapes in words."""
+    return f"{count} {'shape' if count == 1 else 'shapes'}"
 
 
 def describe(value):
@@ -201,7 +207,7 @@ def compare(args):
     """Whether two files hold the same shapes."""
     a, b = read(args.a), read(args.b)
     if len(a) != len(b):
-        print(f"{args.a} holds {len(a)} shapes, {args.b} {len(b)}")
+        print(f"{args.a} holds {shapes(len(a))}, {args.b} {len(b)}")
         return 1
     progress = Progress(len(a), args.progress)
     differ = False
@@ -269,9 +275,11 @@ def parser():
 
 def require_endings(args):
     """Raises Refused for files of a kind that is not read or written."""
-    known = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl", ".glb")}.get(args.verb, ())
-    if known and Path(args.output).suffix.lower() not in known:
-        raise Refused(f"{args.output}: {', '.join(known)} can be written")
+    ending = Path(getattr(args, "output", "")).suffix.lower()
+    known = ENDINGS.get(args.verb, ())
+    if known and ending not in known:
+        other = [verb for verb, endings in ENDINGS.items() if ending in endings]
+        raise Refused(f"{args.output}: {', '.join(known)} can be written" + "".join(f"; {verb} writes {ending}" for verb in other))
 
 
 def main(arguments=None):
