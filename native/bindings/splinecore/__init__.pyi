@@ -1161,7 +1161,7 @@ _Kind = TypeVar("_Kind")
 
 @final
 class Approximation(tuple[_Kind, float]):
-    """A value that stands for another, and an upper bound of their distance.
+    """A result, and an upper bound of its error.
 
     Unpacks as `value, error = …`.
 
@@ -3490,25 +3490,25 @@ class NurbsCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -3519,6 +3519,8 @@ class NurbsCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -5671,25 +5673,25 @@ class BezierCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -5700,6 +5702,8 @@ class BezierCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -7501,25 +7505,25 @@ class HermiteCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -7530,6 +7534,8 @@ class HermiteCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -9453,25 +9459,25 @@ class PowerCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -9482,6 +9488,8 @@ class PowerCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
