@@ -26,12 +26,13 @@ double signed_area(const NurbsCurve& curve, const py::object& normal, const py::
 
 /// Around the points of an array of any shape.
 py::object winding_numbers(const NurbsCurve& curve, const Doubles& given, const glm::dvec3& across) {
-  const std::vector<glm::dvec3> points = vectors(given, "point", static_cast<int>(given.ndim()) - 1);
+  constexpr const char* name = "point";
+  const std::vector<glm::dvec3> points = vectors(given, name, static_cast<int>(given.ndim()) - 1);
   py::array_t<std::int64_t> out(Shape(given.shape(), given.shape() + given.ndim() - 1));
   std::int64_t* to = out.mutable_data();
   for (py::ssize_t k = 0; k < given.size(); ++k) {
     if (std::isfinite(given.data()[k])) continue;
-    throw InvalidShape("point" + place_text(given, k) + " = " + splinecore::text_of(given.data()[k]) + " is not finite");
+    throw InvalidShape(std::string(name) + place_text(given, k) + " = " + splinecore::text_of(given.data()[k]) + " is not finite");
   }
   std::size_t i = 0;
   try {
