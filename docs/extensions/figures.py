@@ -15,7 +15,7 @@ PAGES = ("index", "gallery", "cookbook")
 #: Pictures stand on light and on dark pages.
 GRAY, PANE = "#808080", (0.5, 0.5, 0.5, 0.1)
 STYLE = {
-    "savefig.transparent": True, "savefig.dpi": 150, "svg.hashsalt": "splinecore", "figure.figsize": (6, 4), "text.color": GRAY,
+    "savefig.transparent": True, "savefig.bbox": "tight", "savefig.dpi": 150, "svg.hashsalt": "splinecore", "figure.figsize": (6, 4), "text.color": GRAY,
     "axes.edgecolor": GRAY, "axes.labelcolor": GRAY, "xtick.color": GRAY, "ytick.color": GRAY, "grid.color": (0.5, 0.5, 0.5, 0.4),
     "axes3d.xaxis.panecolor": PANE, "axes3d.yaxis.panecolor": PANE, "axes3d.zaxis.panecolor": PANE,
 }

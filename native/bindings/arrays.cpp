@@ -47,6 +47,19 @@ py::array as_given(const py::handle& value, const py::array& array) {
   }
 }
 
+[[noreturn]] void refuse_element(const char* name, const py::array& array, py::ssize_t flat, const std::string& element) {
+  throw py::type_error(std::string(name) + place_text(array, flat) + " = " + element +
+                       " is not a real number that fits float64 or int64");
+}
+
+/// Numpy takes the numbers behind a mask for those of the array.
+void refuse_masked(const py::handle& value, const char* name) {
+  if (!py::isinstance<py::array>(value) || !py::hasattr(value, "mask")) return;
+  const py::array masked = py::module_::import("numpy").attr("ma").attr("getmaskarray")(value);
+  if (!masked.attr("any")().cast<bool>()) return;
+  refuse_element(name, masked, masked.attr("argmax")().cast<py::ssize_t>(), "masked");
+}
+
 /// Names the first element of an array that is no array of real numbers.
 [[noreturn]] void refuse_elements(const py::handle& value, const py::array& converted, const char* name) {
   const py::array array = as_given(value, converted);
@@ -64,8 +77,7 @@ py::array as_given(const py::handle& value, const py::array& array) {
   if (first == count) {
     throw py::type_error(std::string(name) + " is an array of objects: give it a dtype of numbers, as with astype(float)");
   }
-  throw py::type_error(std::string(name) + place_text(array, first) + " = " + short_text(elements[first]) +
-                       " is not a real number that fits float64 or int64");
+  refuse_element(name, array, first, short_text(elements[first]));
 }
 
 /// How many values a row has; 0 for what is none.
@@ -124,6 +136,7 @@ std::string type_name(const py::handle& value) { return py::str(py::type::of(val
 py::array array_of(const py::handle& value, const char* name) {
   const bool is_array = Py_TYPE(value.ptr()) == py::detail::npy_api::get().PyArray_Type_;
   if (is_array) return py::reinterpret_borrow<py::array>(value);
+  refuse_masked(value, name);
   std::string reason;
   try {
     return py::module_::import("numpy").attr("asarray")(value);

@@ -256,7 +256,11 @@ void bind_basis(py::module_& module) {
            }, py::arg("order") = 0)
       .def("apply", [](const BoundSamples& self, const py::object& values, const py::object& order) {
              return apply_samples(self.samples, self.knots.count(), values, integer(order, "order"));
-           }, py::arg("values"), py::arg("order") = 0);
+           }, py::arg("values"), py::arg("order") = 0)
+      .def("__repr__", [](const BoundSamples& self) {
+        return "Samples(count=" + std::to_string(self.samples.size()) + ", degree=" + std::to_string(self.knots.degree()) +
+               ", order=" + std::to_string(self.samples.order()) + ")";
+      });
 }
 
 }  // namespace bindings

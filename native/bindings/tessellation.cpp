@@ -170,6 +170,10 @@ void bind_tessellation(py::module_& module) {
             std::ranges::copy(pairs, edges.mutable_data());
             return edges;
           }, py::arg("normals"), py::arg("angle"));
+  cls.def("__repr__", [](const Tessellation& self) {
+    return "Tessellation(patches=" + std::to_string(self.set.patches().size()) + ", vertices=" + std::to_string(self.vertex_count()) +
+           ", faces=" + std::to_string(self.face_starts().size()) + ")";
+  });
 }
 
 }  // namespace bindings

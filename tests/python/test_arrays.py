@@ -183,6 +183,21 @@ def test_out_of_another_kind_is_refused():
         torus().evaluate_grid_with_normals([0.0, 1.0, 2.0], u, out=np.zeros((3, 2, 3)))
 
 
+def test_masked_numbers_are_refused_and_a_mask_of_none_is_not():
+    points = np.ma.array([(0.0, 0.0), (1.0, 1.0), (2.0, 0.0)], mask=[(0, 0), (0, 1), (0, 0)])
+    with pytest.raises(TypeError, match=r"^points\[1, 1\] = masked is not a real number"):
+        sc.BezierCurve(points)
+    with pytest.raises(TypeError, match=r"^points\[1, 1\] = masked is not a real number"):
+        sc.fit.interpolate(points, 2)
+    curve = sc.BezierCurve(points.data)
+    with pytest.raises(TypeError, match=r"^u\[2\] = masked"):
+        curve.evaluate(np.ma.masked_greater([0.0, 0.5, 2.0], 1.0))
+    with pytest.raises(TypeError, match=r"^u = masked"):
+        curve.evaluate(np.ma.masked)
+    assert sc.BezierCurve(np.ma.array(points.data)) == curve
+    assert np.array_equal(curve.evaluate(np.ma.array([0.0, 0.5])), curve.evaluate([0.0, 0.5]))
+
+
 def test_numbers_in_an_array_of_objects_are_refused_as_what_they_are():
     with pytest.raises(TypeError, match="u is an array of objects: give it a dtype of numbers"):
         circle().evaluate(np.array([0.5, 0.7], object))

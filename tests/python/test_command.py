@@ -175,8 +175,39 @@ def test_compare_tells_what_differs(capsys, file):
     code, out, _ = call(capsys, "compare", a, other)
     assert code == 1 and "0: up to 0.001 apart" in out and out.endswith("different\n")
     assert call(capsys, "compare", a, other, "--tolerance", 0.0011)[0] == 0
-    assert call(capsys, "compare", a, file("d.json", circle()))[0] == 1
+    one = file("d.json", circle())
+    assert call(capsys, "compare", one, a)[:2] == (1, f"{one} holds 1 shape, {a} 2\n")
     assert "NurbsCurve and a NurbsPatch" in call(capsys, "compare", a, file("e.json", torus(), torus()))[1]
+
+
+def test_info_tells_what_is_closed_and_its_volume(capsys, file):
+    ball = sc.build.sphere((0, 0, 0), 1.0)
+    half = ball.split("v", 1.0)[0]
+    lines = call(capsys, "info", file("a.json", circle(), circle().part(0.0, 0.5), ball, half))[1].splitlines()[1:]
+    assert lines[0].endswith("; closed") and lines[1].endswith("; open") and lines[3].endswith("; open")
+    assert lines[2].endswith("; closed; volume 4.18879")
+
+
+def test_compare_finds_one_geometry_in_other_pieces(capsys, file):
+    ball = sc.build.sphere((0, 0, 0), 1.0)
+    pieces = [patch for row in ball.to_bezier() for patch in row]
+    whole, cut = file("a.json", ball), file("b.json", *reversed(pieces))
+    assert call(capsys, "compare", whole, cut)[0] == 1
+    code, out, _ = call(capsys, "compare", whole, cut, "--geometry", "--tolerance", 1e-12)
+    assert code == 0 and out.startswith("surfaces: up to") and out.endswith("the same\n")
+    part = file("c.json", *pieces[:-1])
+    for pair in ((whole, part), (part, whole)):
+        assert call(capsys, "compare", *pair, "--geometry", "--tolerance", 0.1)[0] == 1
+    code, out, _ = call(capsys, "compare", whole, file("d.json", ball, circle()), "--geometry")
+    assert code == 1 and "d.json alone holds curves" in out
+
+
+def test_help_says_what_every_argument_is(capsys):
+    for verb in ("info", "convert", "tessellate", "compare"):
+        with pytest.raises(SystemExit):
+            command.main([verb, "--help"])
+        lines = capsys.readouterr().out.split("positional arguments:")[1].split("options:")[0].splitlines()
+        assert all(len(line.split()) > 3 for line in lines if line.strip()), verb
 
 
 def test_one_shape_in_two_forms_is_the_same(capsys, file):
@@ -204,7 +235,9 @@ def test_wrong_places_and_endings_are_told_of(capsys, file, tmp_path):
             (["info", tmp_path / "none.json"], "cannot be read"), (["info", tmp_path], "cannot be read"),
             (["tessellate", path, tmp_path / "none/a.obj"], "cannot be written"),
             (["tessellate", path, tmp_path / "a.step"], ".obj, .ply, .stl, .glb can be written"),
-            (["convert", path, tmp_path / "a.iges"], ".json, .bpt can be written"),
+            (["convert", path, tmp_path / "a.iges"], "a.iges: .json, .bpt can be written\n"),
+            (["convert", path, tmp_path / "a.stl"], ".json, .bpt can be written; tessellate writes .stl"),
+            (["tessellate", path, tmp_path / "b.json"], "can be written; convert writes .json"),
             (["tessellate", path, tmp_path / "a.obj", "--resolution", 0], "resolution"),
             (["tessellate", path, tmp_path / "a.obj", "--tolerance", "nan"], "tolerance")):
         code, out, err = call(capsys, *arguments)

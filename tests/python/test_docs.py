@@ -43,6 +43,14 @@ def test_pictures_are_made_by_the_samples_of_their_page(page):
     assert f'"{page}"' in re.search(r"^PAGES = .*$", (PROJECT / "docs/extensions/figures.py").read_text(), re.M)[0]
 
 
+def test_every_picture_of_the_gallery_has_its_code():
+    blocks = (PROJECT / "docs/gallery.md").read_text().split("\n\n")
+    pictures = [i for i, block in enumerate(blocks) if block.startswith("![")]
+    assert len(pictures) >= 14
+    for i in pictures:
+        assert "](figures/" in blocks[i] or "{download}" in blocks[i + 1], blocks[i]
+
+
 @pytest.mark.parametrize("page", ["cookbook", "gallery", "index"])
 def test_lines_of_code_fit_the_column_of_the_site(page):
     for code in re.findall(r"^```python\n(.*?)^```", (PROJECT / f"docs/{page}.md").read_text(), re.S | re.M):

@@ -110,6 +110,15 @@ def test_weights_of_any_sign():
     assert wild.signed_area() == pytest.approx(math.pi, rel=1e-12) and wild.winding_number((0.5, 0.5)) == 1
 
 
+@pytest.mark.parametrize("shape", [(0,), (1,), (7,), (2, 3), (4, 1, 2)])
+def test_points_of_any_shape_are_wound_around_as_each_of_them(shape):
+    points = np.random.default_rng(len(shape)).uniform(-1.5, 1.5, (*shape, 2))
+    found = RING.winding_number(points)
+    assert found.shape == shape and found.dtype == np.int64
+    assert found.ravel().tolist() == [RING.winding_number(point) for point in points.reshape(-1, 2)]
+    assert type(RING.winding_number((0.5, 0.5))) is int
+
+
 @pytest.mark.parametrize("call, error, message", [
     (lambda: shapes.semicircle().signed_area(), sc.InvalidShape, "the curve is not closed: its ends are apart by"),
     (lambda: shapes.semicircle().winding_number((0, 0)), sc.InvalidShape, "the curve is not closed"),
@@ -120,6 +129,10 @@ def test_weights_of_any_sign():
     (lambda: RING.signed_area(tolerance=math.nan), sc.InvalidShape, "tolerance"),
     (lambda: RING.winding_number((1, 0)), sc.InvalidShape, "point lies on the curve"),
     (lambda: RING.winding_number((math.nan, 0)), sc.InvalidShape, "point"),
+    (lambda: RING.winding_number([(0, 0), (1, 0)]), sc.InvalidShape, "point[1] lies on the curve"),
+    (lambda: RING.winding_number([(0, 0), (0, math.nan)]), sc.InvalidShape, "point[1, 1] = nan is not finite"),
+    (lambda: RING.winding_number([[0], [1]]), sc.InvalidShape, "point has shape (2, 1)"),
+    (lambda: shapes.semicircle().winding_number([(0, 0), (1, 5)]), sc.InvalidShape, "the curve is not closed"),
     (lambda: RING.winding_number(None), TypeError, "point"),
     (lambda: RING.winding_number((0, 0, 0, 0)), sc.InvalidShape, "point"),
     (lambda: shapes.hyperbola().signed_area(), sc.PointAtInfinity, ""),

@@ -53,7 +53,11 @@ def test_text_tells_the_sizes():
     assert repr(circle()) == "NurbsCurve(degree=2, points=9, rational)"
     assert repr(torus()) == "NurbsPatch(degree=(2, 2), points=(9, 9), rational)"
     assert repr(hermite_net()) == "HermitePatch(points=(3, 2))"
-    assert repr(sc.PatchSet.from_patches([torus()], merge=False)) == "PatchSet(patches=1, points=81)"
+    flat = sc.PatchSet.from_patches([torus()], merge=False)
+    assert repr(flat) == "PatchSet(patches=1, points=81)"
+    mesh = sc.Tessellation(flat, 4)
+    assert repr(mesh) == f"Tessellation(patches=1, vertices={mesh.vertex_count}, faces={len(mesh.face_starts)})"
+    assert repr(sc.basis.Samples(sc.basis.KnotVector(1, [0, 0, 1, 1]), [0.5, 0.7], 1)) == "Samples(count=2, degree=1, order=1)"
 
 
 def test_zeros_of_both_signs_are_equal_with_one_hash():

@@ -77,26 +77,84 @@ _Patch = NurbsPatch | BezierPatch | HermitePatch
 _Points = NDArray[Any]  # float64, or float32 where dtype or out ask for it
 
 class Error(Exception):
-    """Base class of all exceptions raised by the library."""
+    """Base class of all exceptions raised by the library.
+
+    Examples
+    --------
+    >>> try:
+    ...     sc.loads("no shape")
+    ... except sc.Error as error:
+    ...     print(type(error).__name__)
+    InvalidShape
+    """
 
 class InvalidShape(Error, ValueError):
-    """Bad input: the message names the argument, the first offending index and its value."""
+    """Bad input: the message names the argument, the first offending index and its value.
+
+    Examples
+    --------
+    >>> try:
+    ...     sc.BezierCurve([(0, 0)], weights=[1, 2])
+    ... except sc.InvalidShape as error:
+    ...     print(isinstance(error, ValueError))
+    True
+    """
 
 class FormulaError(InvalidShape):
     """Text that is not a formula: the message ends with the place, and `position` is the character, counted
     from 0.
+
+    Examples
+    --------
+    >>> try:
+    ...     sc.Formula("2 * sin(")
+    ... except sc.FormulaError as error:
+    ...     print(error.position)
+    8
     """
 
     position: int
 
 class PointAtInfinity(Error, ArithmeticError):
-    """A point was asked for where the homogeneous weight is zero."""
+    """A point was asked for where the homogeneous weight is zero.
+
+    Examples
+    --------
+    >>> line = sc.BezierCurve([(0, 0), (1, 0)], weights=[1, 0])
+    >>> try:
+    ...     line.evaluate(1.0)
+    ... except sc.PointAtInfinity as error:
+    ...     print(isinstance(error, ArithmeticError))
+    True
+    >>> line.evaluate(1.0, at_infinity="nan")
+    array([nan, nan, nan])
+    """
 
 class ToleranceNotReached(Error, ArithmeticError):
-    """The tolerance cannot be reached: the message says which error can."""
+    """The tolerance cannot be reached: the message says which error can.
+
+    Examples
+    --------
+    >>> curve = sc.BezierCurve([(0, 0), (1, 1), (2, 0)])
+    >>> try:
+    ...     curve.reduce(tolerance=0.1)
+    ... except sc.ToleranceNotReached as error:
+    ...     print(isinstance(error, ArithmeticError))
+    True
+    """
 
 class Cancelled(Error, RuntimeError):
-    """A long call was ended by its `cancel` argument."""
+    """A long call was ended by its `cancel` argument.
+
+    Examples
+    --------
+    >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+    >>> try:
+    ...     curve.evaluate(np.linspace(0, 1, 1_000_000), cancel=lambda: True)
+    ... except sc.Cancelled:
+    ...     print("ended")
+    ended
+    """
 
 @final
 class Continuity:
@@ -105,6 +163,14 @@ class Continuity:
     References
     ----------
     Lecture row S16.
+
+    Examples
+    --------
+    >>> a = sc.BezierCurve([(0, 0), (1, 0)])
+    >>> b = sc.BezierCurve([(1, 0), (1, 1)])
+    >>> joint = a.continuity_to(b)
+    >>> joint.gap, round(joint.angle / np.pi, 9), joint.curvature_difference, joint.c, joint.g
+    (0.0, 0.5, 0.0, 0, 0)
     """
 
     @property
@@ -132,6 +198,15 @@ class Filling:
     References
     ----------
     Lecture row S21.
+
+    Examples
+    --------
+    >>> corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
+    >>> filling = sc.build.fill([sc.BezierCurve([corners[i - 1], corners[i]]) for i in range(4)])
+    >>> len(filling.patches), filling.gap < 1e-12
+    (1, True)
+    >>> filling.angle, filling.curvature_difference, filling.inner_angle
+    (0.0, 0.0, 0.0)
     """
 
     @property
@@ -154,7 +229,16 @@ class Filling:
 
 @final
 class SubdivisionPatches:
-    """Patches of a subdivision surface, one for each face of the subdivided mesh, in its order."""
+    """Patches of a subdivision surface, one for each face of the subdivided mesh, in its order.
+
+    Examples
+    --------
+    >>> points = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    >>> cube = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    >>> made = sc.build.catmull_clark(points, cube)
+    >>> len(made.patches), made.rounds, made.irregular, made.angle < 0.1
+    (24, 1, 24, True)
+    """
 
     @property
     def patches(self) -> tuple[NurbsPatch, ...]:
@@ -176,18 +260,44 @@ class LoftSurface(tuple[NurbsPatch, float]):
     """The surface through sections, and how far sections were moved.
 
     Unpacks as `value, error = …`.
+
+    Examples
+    --------
+    >>> sections = [sc.BezierCurve([(0, 0, z), (1, 0, z)]) for z in (0, 2)]
+    >>> surface, error = sc.build.loft(sections, degree=1)
+    >>> round(surface.area(), 9), error
+    (2.0, 0.0)
     """
 
     @property
     def value(self) -> NurbsPatch:
-        """The surface."""
+        """The surface.
+
+        Examples
+        --------
+        >>> sections = [sc.BezierCurve([(0, 0, z), (1, 0, z)]) for z in (0, 2)]
+        >>> sc.build.loft(sections, degree=1).value
+        NurbsPatch(degree=(1, 1), points=(2, 2))
+        """
     @property
     def error(self) -> float:
-        """The error, a length in units of the points; 0 where nothing but rounding was lost."""
+        """The error, a length in units of the points; 0 where nothing but rounding was lost.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (1, 1), (2, 0)]).reduce().error, 9)
+        0.5
+        """
     @property
     def followed(self) -> float:
         """The part of their strengths with which the surface follows its neighbors: less than 1 where it would
         have swung out.
+
+        Examples
+        --------
+        >>> sections = [sc.BezierCurve([(0, 0, z), (1, 0, z)]) for z in (0, 2)]
+        >>> sc.build.loft(sections, degree=1).followed
+        1.0
         """
     def __copy__(self) -> LoftSurface: ...
     def __deepcopy__(self, memo: object, /) -> LoftSurface: ...
@@ -197,11 +307,26 @@ class NetworkSurface(tuple[NurbsPatch, float]):
     """The surface through a network of curves, and the largest distance from a curve.
 
     Unpacks as `value, error = …`.
+
+    Examples
+    --------
+    >>> along_u = [sc.BezierCurve([(0, y, 0), (1, y, 0)]) for y in (0, 2)]
+    >>> along_v = [sc.BezierCurve([(x, 0, 0), (x, 2, 0)]) for x in (0, 1)]
+    >>> made = sc.build.network(along_u, along_v)
+    >>> round(made.value.area(), 9), made.error < 1e-12, max(made.paces) < 1e-12
+    (2.0, True, True)
     """
 
     @property
     def value(self) -> NurbsPatch:
-        """The surface."""
+        """The surface.
+
+        Examples
+        --------
+        >>> sections = [sc.BezierCurve([(0, 0, z), (1, 0, z)]) for z in (0, 2)]
+        >>> sc.build.loft(sections, degree=1).value
+        NurbsPatch(degree=(1, 1), points=(2, 2))
+        """
     @property
     def error(self) -> float:
         """The largest distance from a curve, a length."""
@@ -218,7 +343,16 @@ class NetworkSurface(tuple[NurbsPatch, float]):
 
 @final
 class RoundedEdge:
-    """What replaces the edge of two patches: the rest of both, and the fillet between them."""
+    """What replaces the edge of two patches: the rest of both, and the fillet between them.
+
+    Examples
+    --------
+    >>> floor = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 3, 0))
+    >>> wall = sc.build.plane((0, 0, 0), (0, 3, 0), (0, 0, 2))
+    >>> edge = sc.build.fillet_patches(floor, "u_start", wall, "v_start", 0.5)
+    >>> [round(patch.area(), 6) for patch in (edge.first, edge.fillet, edge.second)], edge.error < 1e-5
+    ([4.5, 2.356194, 4.5], True)
+    """
 
     @property
     def first(self) -> NurbsPatch:
@@ -245,6 +379,22 @@ class SeamContinuity:
     References
     ----------
     Lecture rows S16, S21.
+
+    Examples
+    --------
+    >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> b = sc.build.plane((1, 0, 0), (2, 0, 0), (0, 1, 0))
+    >>> seam = sc.seam_continuity(a, "u_end", b, "u_start")
+    >>> seam.gap, seam.angle, seam.curvature_difference, seam.reversed
+    (0.0, 0.0, 0.0, False)
+    >>> seam.first_difference, seam.second_difference
+    (0.5, 0.0)
+    >>> seam.c, seam.g      # the second patch is twice as fast
+    (0, 2)
+    >>> seam.points.shape == (len(seam.parameters), 3)
+    True
+    >>> [float(part.max()) for part in (seam.gaps, seam.angles, seam.curvature_differences)]
+    [0.0, 0.0, 0.0]
     """
 
     @property
@@ -293,7 +443,16 @@ class SeamContinuity:
 
 @final
 class Curvatures:
-    """How patches bend at places (...,), positive towards the normal along S_u x S_v."""
+    """How patches bend at places (...,), positive towards the normal along S_u x S_v.
+
+    Examples
+    --------
+    >>> found = sc.build.cylinder((0, 0, 0), (0, 0, 1), 2.0, 1.0).curvatures(0.0, 0.5)
+    >>> found.gauss.round(9).item() + 0.0, found.mean.round(9).item(), found.principal.round(9).tolist()
+    (0.0, -0.25, [0.0, -0.5])
+    >>> abs(found.directions[0]).round(9).tolist()      # straight lines along the axis
+    [0.0, 0.0, 1.0]
+    """
 
     @property
     def gauss(self) -> _Floats:
@@ -314,7 +473,15 @@ class Curvatures:
 
 @final
 class Nearest:
-    """The nearest points of a shape to given points (..., 3)."""
+    """The nearest points of a shape to given points (..., 3).
+
+    Examples
+    --------
+    >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+    >>> found = line.nearest([(1, 2), (5, 0)])
+    >>> found.parameters.tolist(), found.points.tolist(), found.distances.tolist()
+    ([0.25, 1.0], [[1.0, 0.0, 0.0], [4.0, 0.0, 0.0]], [2.0, 1.0])
+    """
 
     @property
     def parameters(self) -> _Floats:
@@ -330,7 +497,15 @@ class Nearest:
 
 @final
 class NearestAmong:
-    """The nearest points of several shapes to given points (..., 3)."""
+    """The nearest points of several shapes to given points (..., 3).
+
+    Examples
+    --------
+    >>> lines = [sc.BezierCurve([(0, y), (4, y)]) for y in (0, 3)]
+    >>> found = sc.nearest(lines, [(1, 1), (2, 4)])
+    >>> found.shapes.tolist(), found.parameters.tolist(), found.points.tolist(), found.distances.tolist()
+    ([0, 1], [0.25, 0.5], [[1.0, 0.0, 0.0], [2.0, 3.0, 0.0]], [1.0, 1.0])
+    """
 
     @property
     def shapes(self) -> NDArray[np.int64]:
@@ -349,7 +524,21 @@ class NearestAmong:
 
 @final
 class Intersections:
-    """The n places where two curves meet, and the m stretches that they have in common."""
+    """The n places where two curves meet, and the m stretches that they have in common.
+
+    Examples
+    --------
+    >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+    >>> b = sc.BezierCurve([(1, -1), (1, 3)])
+    >>> met = a.intersections(b)
+    >>> met.parameters.round(9).tolist(), met.points.round(9).tolist()
+    ([[0.25, 0.25]], [[1.0, 0.0, 0.0]])
+    >>> met.touches.tolist(), met.distances.round(9).tolist()
+    ([False], [0.0])
+    >>> met = a.intersections(sc.BezierCurve([(6, 0), (2, 0)]))
+    >>> met.overlaps.round(9).tolist(), met.reversed.tolist()
+    ([[[0.5, 1.0], [0.5, 1.0]]], [True])
+    """
 
     @property
     def parameters(self) -> _Floats:
@@ -374,7 +563,18 @@ class Intersections:
 
 @final
 class LeastDistance:
-    """Where two shapes are nearest to each other."""
+    """Where two shapes are nearest to each other.
+
+    Examples
+    --------
+    >>> a = sc.BezierCurve([(0, 0), (4, 0)])
+    >>> b = sc.BezierCurve([(1, 2), (1, 5)])
+    >>> found = a.least_distance(b)
+    >>> round(found.distance, 9), found.patches, found.points.round(9).tolist()
+    (2.0, (None, None), [[1.0, 0.0, 0.0], [1.0, 2.0, 0.0]])
+    >>> [round(u, 9) for u in found.parameters]
+    [0.25, 0.0]
+    """
 
     @property
     def distance(self) -> float:
@@ -395,6 +595,17 @@ class LeastDistance:
 class RayHits:
     """Places where rays meet a shape: arrays (...,) of the shape of the rays for first hits, (n,) for all
     hits.
+
+    Examples
+    --------
+    >>> ball = sc.build.sphere((0, 0, 0), 1.0)
+    >>> met = ball.rays((0, 0.5, -4), (0, 0, 2), hits="all")
+    >>> met.rays.tolist(), met.along.round(9).tolist(), met.until.round(9).tolist(), met.touches.tolist()
+    ([0, 0], [1.566987298, 2.433012702], [1.566987298, 2.433012702], [False, False])
+    >>> met.points.round(9).tolist()
+    [[0.0, 0.5, -0.866025404], [0.0, 0.5, 0.866025404]]
+    >>> met.parameters.shape, sc.PatchSet.from_patches([ball]).rays((0, 0.5, -4), (0, 0, 2)).patches.tolist()
+    ((2, 2), 0)
     """
 
     @property
@@ -423,7 +634,19 @@ class RayHits:
 
 @final
 class PatchIntersections:
-    """The n places where a curve meets a patch or a plane, and the m stretches that lie on it."""
+    """The n places where a curve meets a patch or a plane, and the m stretches that lie on it.
+
+    Examples
+    --------
+    >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 2, 0))
+    >>> met = sc.BezierCurve([(1, 1, -1), (1, 1, 3)]).patch_intersections(plane)
+    >>> met.parameters.round(9).tolist(), met.points.round(9).tolist()
+    ([[0.25, 0.5, 0.5]], [[1.0, 1.0, 0.0]])
+    >>> met.touches.tolist(), met.distances.round(9).tolist()
+    ([False], [0.0])
+    >>> sc.BezierCurve([(0.5, 1, 0), (1.5, 1, 0)]).patch_intersections(plane).overlaps.round(9).tolist()
+    [[0.0, 1.0]]
+    """
 
     @property
     def parameters(self) -> _Floats:
@@ -513,10 +736,23 @@ class Region:
         """
     @property
     def outlines(self) -> tuple[NurbsCurve, ...]:
-        """The closed curves that bound the region, which lies to their left."""
+        """The closed curves that bound the region, which lies to their left.
+
+        Examples
+        --------
+        >>> disk = sc.Region.of([sc.conics.circle((0, 0, 0), 1.0)])
+        >>> [round(outline.length() / np.pi, 9) for outline in disk.outlines]
+        [2.0]
+        """
     @property
     def normal(self) -> _Floats:
-        """The unit vector (3,) that the region is seen against."""
+        """The unit vector (3,) that the region is seen against.
+
+        Examples
+        --------
+        >>> sc.Region.of([sc.conics.circle((0, 0, 0), 1.0)]).normal
+        array([0., 0., 1.])
+        """
     def union(
         self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
     ) -> Region:
@@ -545,6 +781,13 @@ class Region:
             what lies between them.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> a = sc.Region.of([sc.build.contour([(0, 0), (2, 0), (2, 1), (0, 1)], closed=True)])
+        >>> b = sc.Region.of([sc.build.contour([(1, 0), (3, 0), (3, 1), (1, 1)], closed=True)])
+        >>> round(a.union(b).area(), 9), a.union(b) == (a | b)
+        (3.0, True)
         """
     def intersection(
         self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -572,6 +815,13 @@ class Region:
             what lies between them.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> a = sc.Region.of([sc.build.contour([(0, 0), (2, 0), (2, 1), (0, 1)], closed=True)])
+        >>> b = sc.Region.of([sc.build.contour([(1, 0), (3, 0), (3, 1), (1, 1)], closed=True)])
+        >>> round(a.intersection(b).area(), 9)
+        1.0
         """
     def difference(
         self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -599,6 +849,13 @@ class Region:
             what lies between them.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> a = sc.Region.of([sc.build.contour([(0, 0), (2, 0), (2, 1), (0, 1)], closed=True)])
+        >>> b = sc.Region.of([sc.build.contour([(1, 0), (3, 0), (3, 1), (1, 1)], closed=True)])
+        >>> a.difference(b).centroid().round(9).tolist()
+        [0.5, 0.5, 0.0]
         """
     def symmetric_difference(
         self, other: Region, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -626,6 +883,13 @@ class Region:
             what lies between them.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> a = sc.Region.of([sc.build.contour([(0, 0), (2, 0), (2, 1), (0, 1)], closed=True)])
+        >>> b = sc.Region.of([sc.build.contour([(1, 0), (3, 0), (3, 1), (1, 1)], closed=True)])
+        >>> round((a ^ b).area(), 9), len((a ^ b).outlines)
+        (2.0, 2)
         """
     def offset(
         self,
@@ -719,6 +983,11 @@ class Region:
         References
         ----------
         Green's theorem.
+
+        Examples
+        --------
+        >>> round(sc.Region.of([sc.conics.circle((0, 0, 0), 2.0)]).area() / np.pi, 9)
+        4.0
         """
     def centroid(self, *, tolerance: float = 1e-12) -> _Floats:
         """Find the centroid of the area.
@@ -739,6 +1008,11 @@ class Region:
             If the region is empty.
         ToleranceNotReached
             If the tolerance takes too much work.
+
+        Examples
+        --------
+        >>> sc.Region.of([sc.build.contour([(0, 0), (3, 0), (0, 3)], closed=True)]).centroid().round(9).tolist()
+        [1.0, 1.0, 0.0]
         """
     def second_moments(self, about: ArrayLike | None = None, *, tolerance: float = 1e-12) -> _Floats:
         """Integrate d d^T over the area, where d is the vector from a point.
@@ -780,7 +1054,20 @@ class Region:
 
 @final
 class Sections:
-    """The n curves that two surfaces have in common, and the m points where they touch."""
+    """The n curves that two surfaces have in common, and the m points where they touch.
+
+    Examples
+    --------
+    >>> a = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 2, 0))
+    >>> b = sc.build.plane((1, 0, -1), (0, 2, 0), (0, 0, 2))
+    >>> met = a.sections(b)
+    >>> [round(curve.length(), 9) for curve in met.curves], list(met.kinds), met.closed.tolist(), met.are_one
+    ([2.0], ['crossing'], [False], False)
+    >>> met.on_a[0].evaluate(0.0).round(9).tolist()[0], met.on_b[0].evaluate(0.0).round(9).tolist()[1]
+    (0.5, 0.5)
+    >>> met.points.shape, met.parameters.shape
+    ((0, 3), (0, 2, 2))
+    """
 
     @property
     def curves(self) -> tuple[NurbsCurve, ...]:
@@ -811,7 +1098,16 @@ class Sections:
 
 @final
 class StationaryPoints:
-    """The n places of a shape where the distance from a point is stationary."""
+    """The n places of a shape where the distance from a point is stationary.
+
+    Examples
+    --------
+    >>> found = sc.BezierCurve([(0, 0), (4, 0)]).stationary_points((1, 2))
+    >>> found.parameters.round(9).tolist(), found.kinds
+    ([0.0, 0.25, 1.0], ('maximum', 'minimum', 'maximum'))
+    >>> found.points[1].round(9).tolist(), found.distances[1].round(9).item()
+    ([1.0, 0.0, 0.0], 2.0)
+    """
 
     @property
     def parameters(self) -> _Floats:
@@ -830,7 +1126,18 @@ class StationaryPoints:
 
 @final
 class JoinedPatches:
-    """Two patches that meet in a side of each: points and weights along it are equal."""
+    """Two patches that meet in a side of each: points and weights along it are equal.
+
+    Examples
+    --------
+    >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> b = sc.build.plane((1.5, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> joined = sc.build.join_patches(a, "u_end", b, "u_start")
+    >>> joined.first.evaluate(1.0, 0.0).tolist(), joined.second.evaluate(0.0, 0.0).tolist()
+    ([1.0, 0.0, 0.0], [1.0, 0.0, 0.0])
+    >>> joined.first_error, joined.second_error, joined.reversed
+    (0.0, 0.5, False)
+    """
 
     @property
     def first(self) -> BezierPatch | NurbsPatch:
@@ -854,7 +1161,7 @@ _Kind = TypeVar("_Kind")
 
 @final
 class Approximation(tuple[_Kind, float]):
-    """A value that stands for another, and an upper bound of their distance.
+    """A result, and an upper bound of its error.
 
     Unpacks as `value, error = …`.
 
@@ -868,10 +1175,22 @@ class Approximation(tuple[_Kind, float]):
 
     @property
     def value(self) -> _Kind:
-        """The value."""
+        """The value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)]).reduce().value
+        BezierCurve(degree=1)
+        """
     @property
     def error(self) -> float:
-        """The error, a length in units of the points; 0 where nothing but rounding was lost."""
+        """The error, a length in units of the points; 0 where nothing but rounding was lost.
+
+        Examples
+        --------
+        >>> round(sc.BezierCurve([(0, 0), (1, 1), (2, 0)]).reduce().error, 9)
+        0.5
+        """
     def __copy__(self) -> Approximation[_Kind]: ...
     def __deepcopy__(self, memo: object, /) -> Approximation[_Kind]: ...
 
@@ -946,35 +1265,94 @@ class NurbsCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve.from_homogeneous(1, [0, 0, 1, 1], [(0, 0, 0, 1), (4, 0, 0, 2)])
+        >>> curve.points.tolist(), curve.weights.tolist()
+        ([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0]], [1.0, 2.0])
         """
     @property
     def degree(self) -> int:
-        """The degree."""
+        """The degree.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).degree
+        2
+        """
     @property
     def domain(self) -> _Interval:
-        """First and last parameter (start, end)."""
+        """First and last parameter (start, end).
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).domain
+        (0.0, 2.0)
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_rational, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_rational
+        (True, False)
+        """
     @property
     def periodic(self) -> bool:
-        """Whether the curve is periodic."""
+        """Whether the curve is periodic.
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(3, range(6), [(0, 0), (2, 0), (3, 2), (1, 3), (-1, 2)], periodic=True).periodic
+        True
+        """
     @property
     def knots(self) -> _Floats:
-        """The knots as given, a read-only float64 array."""
+        """The knots as given, a read-only float64 array.
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).knots
+        array([0., 0., 1., 2., 2.])
+        """
     @property
     def knot_vector(self) -> basis.KnotVector:
-        """The `basis.KnotVector` of the curve."""
+        """The `basis.KnotVector` of the curve.
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).knot_vector.greville
+        array([0., 1., 2.])
+        """
     @property
     def points(self) -> _Floats:
-        """Control points (n, 3) float64, as given, read-only."""
+        """Control points (n, 3) float64, as given, read-only.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]]
+        """
     @property
     def weights(self) -> _Floats:
-        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity."""
+        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], weights=[1, 0, 1]).weights
+        array([1., 0., 1.])
+        """
     @property
     def homogeneous_points(self) -> _Floats:
         """Rows (n, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large
         for a number.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], weights=[2, 0, 1]).homogeneous_points.tolist()
+        [[2.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 1.0]]
         """
     def with_points(self, points: ArrayLike) -> NurbsCurve:
         """Replace the control points, keep weights and knots.
@@ -993,6 +1371,12 @@ class NurbsCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.with_points(curve.points + (0, 0, 1)).evaluate(0.5).tolist()
+        [1.0, 1.0, 1.0]
         """
     def with_weights(self, weights: ArrayLike) -> NurbsCurve:
         """Replace the weights, keep control points and knots.
@@ -1011,6 +1395,12 @@ class NurbsCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(1, 0), (1, 1), (0, 1)])
+        >>> round(curve.with_weights([1, 0.5**0.5, 1]).length() / np.pi, 9)      # a quarter circle
+        0.5
         """
     def evaluate(
         self,
@@ -1137,6 +1527,13 @@ class NurbsCurve:
         -------
         list of tuple (float, float)
             Intervals (start, end) in order.
+
+        Examples
+        --------
+        >>> sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))[0].pieces()
+        [(0.0, 1.0)]
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 0, -1]).pieces()
+        [(0.0, 0.5), (0.5, 1.0)]
         """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
@@ -1245,6 +1642,11 @@ class NurbsCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsCurve:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -1267,6 +1669,11 @@ class NurbsCurve:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsCurve:
         """Scale the shape about a point.
@@ -1287,6 +1694,11 @@ class NurbsCurve:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
         """Append another curve of any kind.
@@ -1346,10 +1758,22 @@ class NurbsCurve:
         References
         ----------
         Lecture row S16.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (1, 0)])
+        >>> [a.continuity_to(sc.BezierCurve([(1, 0), end])).g for end in ((3, 0), (1, 1))]
+        [2, 0]
         """
     @property
     def is_closed(self) -> bool:
-        """Whether the curve is in one piece and ends exactly where it begins."""
+        """Whether the curve is in one piece and ends exactly where it begins.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_closed, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_closed
+        (True, False)
+        """
     def reversed(self) -> NurbsCurve:
         """Reverse the direction of the curve over the same domain.
 
@@ -1359,6 +1783,12 @@ class NurbsCurve:
         -------
         NurbsCurve
             The same points in the opposite direction.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> curve.reversed().evaluate(0.25).tolist()
+        [3.0, 0.0, 0.0]
         """
     def to_bezier(self) -> list[BezierCurve]:
         """Convert to Bezier curves, one for each span.
@@ -1390,6 +1820,12 @@ class NurbsCurve:
         ------
         InvalidShape
             If it is rational, has a gap, or its degree is above 3.
+
+        Examples
+        --------
+        >>> chain = sc.BezierCurve([(0, 0), (1, 3), (2, 3), (3, 0)]).to_hermite()
+        >>> chain.tangents[:, 1].tolist()
+        [[3.0, 9.0, 0.0], [3.0, -9.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsCurve:
         """Give the curve itself.
@@ -1398,6 +1834,12 @@ class NurbsCurve:
         -------
         NurbsCurve
             The curve.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> curve.to_nurbs() == curve
+        True
         """
     def to_power(self) -> list[PowerCurve]:
         """Convert to powers of the parameter, one curve for each span.
@@ -1410,6 +1852,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S2.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 2)])
+        >>> [part.coefficients.tolist() for part in curve.to_power()]
+        [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]]
         """
     def insert_knot(self, u: float, times: SupportsIndex = 1) -> NurbsCurve:
         """Add a knot without changing the curve.
@@ -1460,6 +1908,12 @@ class NurbsCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> curve.refine([0.25, 0.5]).points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [4.0, 0.0, 0.0]]
         """
     def unrolled(self) -> NurbsCurve:
         """Convert a periodic curve to a plain one whose knots and points are repeated.
@@ -1468,6 +1922,12 @@ class NurbsCurve:
         -------
         NurbsCurve
             The same curve.
+
+        Examples
+        --------
+        >>> ring = sc.NurbsCurve(1, [0, 1, 2, 3], [(0, 0), (1, 0), (0, 1)], periodic=True)
+        >>> ring.unrolled().knots.tolist(), len(ring.unrolled().points)
+        ([-1.0, 0.0, 1.0, 2.0, 3.0, 4.0], 4)
         """
     def remove_knot(
         self, u: float, times: SupportsIndex = 1, tolerance: float | None = None
@@ -1520,6 +1980,11 @@ class NurbsCurve:
         ------
         InvalidShape
             Where one is too large for a number.
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).bezier_points().shape
+        (2, 2, 4)
         """
     def remove_knots(self, tolerance: float, *, cancel: _Cancel | None = None) -> Approximation[NurbsCurve]:
         """Remove all inner knots that are not needed within a tolerance.
@@ -1548,6 +2013,13 @@ class NurbsCurve:
         References
         ----------
         The NURBS Book, A5.9; lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 0, 0, 1, 1, 1], [(0, 0), (1, 2), (2, 0)])
+        >>> simpler, error = curve.refine([0.25, 0.5, 0.75]).remove_knots(1e-9)
+        >>> len(simpler.points), error < 1e-9
+        (3, True)
         """
     def elevate(self, times: SupportsIndex = 1) -> NurbsCurve:
         """Raise the degree without changing the curve; every distinct knot gains as many copies.
@@ -1604,6 +2076,13 @@ class NurbsCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (2, 0)])
+        >>> simpler, error = curve.elevate(2).reduce(2, tolerance=1e-9)
+        >>> simpler.degree, error < 1e-9
+        (1, True)
         """
     def with_domain(self, domain: ArrayLike) -> NurbsCurve:
         """Map the knots to another domain; the points stay.
@@ -1626,6 +2105,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+        >>> curve.with_domain((0, 1)).knots.tolist()
+        [0.0, 0.0, 0.5, 1.0, 1.0]
         """
     def clamped(self) -> NurbsCurve:
         """Clamp both ends, so that the curve begins and ends in its outer control points; a periodic curve is
@@ -1639,6 +2124,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(2, [0, 1, 2, 3, 4, 5, 6], [(0, 0), (2, 0), (2, 2), (0, 2)])
+        >>> curve.clamped().points[[0, -1]].tolist()
+        [[1.0, 0.0, 0.0], [1.0, 2.0, 0.0]]
         """
     def unclamped(self) -> NurbsCurve:
         """Continue the knots outside the domain; a periodic curve becomes a plain one.
@@ -1656,6 +2147,12 @@ class NurbsCurve:
         References
         ----------
         The NURBS Book, A12.1; lecture row S15.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+        >>> curve.unclamped().knots.tolist()
+        [-1.0, 0.0, 1.0, 2.0, 3.0]
         """
     def to_periodic(self, tolerance: float | None = None) -> Approximation[NurbsCurve]:
         """Make a closed curve periodic, as smooth at its seam as it is within the tolerance.
@@ -1680,6 +2177,13 @@ class NurbsCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> square = sc.NurbsCurve(1, [0, 0, 1, 2, 3, 4, 4], [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])
+        >>> ring, error = square.to_periodic()
+        >>> ring.periodic, len(ring.points), error
+        (True, 4, 0.0)
         """
     def largest_distance(self, other: NurbsCurve) -> float:
         """Bound the distance from another curve at equal parameters.
@@ -1699,6 +2203,12 @@ class NurbsCurve:
         ------
         InvalidShape
             If the domains differ.
+
+        Examples
+        --------
+        >>> a = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> abs(a.largest_distance(a.translated((0, 2))) - 2) < 0.02
+        True
         """
     def continuity(self, u: float, tolerance: float = 1e-8) -> Continuity:
         """Measure the continuity at a parameter inside the domain.
@@ -1753,6 +2263,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S16.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)])
+        >>> [(u, joint.g, round(joint.angle, 6)) for u, joint in corner.joints()]
+        [(1.0, 0, 1.570796)]
         """
     def finite_arcs(self, length: float) -> list[NurbsCurve]:
         """Clip a curve that runs to infinity to a box around its finite control points.
@@ -1778,6 +2294,13 @@ class NurbsCurve:
         References
         ----------
         Lecture rows S10, S11.
+
+        Examples
+        --------
+        >>> right, left = sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> arcs = right.finite_arcs(3.0)
+        >>> len(arcs), bool(np.all(arcs[0].weights > 0))
+        (1, True)
         """
     def moebius(self, rho: float) -> NurbsCurve:
         """Change the parameter to t = rho u / ((1 - u) + rho u); domain and points stay, knots and weights
@@ -1803,6 +2326,12 @@ class NurbsCurve:
         References
         ----------
         Lee and Lucian 1991; lecture row S12.
+
+        Examples
+        --------
+        >>> line = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> line.moebius(3.0).evaluate(0.5).tolist()
+        [3.0, 0.0, 0.0]
         """
     def multiplied(self, start: float, end: float) -> NurbsCurve:
         """Multiply the homogeneous coordinates by a linear function; the degree grows by one, weights change,
@@ -1853,6 +2382,11 @@ class NurbsCurve:
         References
         ----------
         Lecture row S12.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 2, 4]).standard_form().weights.tolist()
+        [1.0, 1.0, 1.0]
         """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
                cancel: _Cancel | None = None) -> float:
@@ -2185,6 +2719,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> loop = sc.BezierCurve([(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> loop.self_intersections().points[:, 0].round(9).tolist()
+        [0.5]
         """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -2342,6 +2882,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> [round(part.length(), 9) for part in line.split_by([sc.BezierCurve([(1, -1), (1, 1)])])]
+        [1.0, 3.0]
         """
     def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
         """Remove the part of the curve about a parameter, between where it meets other curves.
@@ -2370,6 +2916,13 @@ class NurbsCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> others = [sc.BezierCurve([(x, -1), (x, 1)]) for x in (1, 3)]
+        >>> [round(part.length(), 9) for part in line.trimmed(others, 0.5)]
+        [1.0, 1.0]
         """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
@@ -2444,6 +2997,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> round(line.extended_to([sc.BezierCurve([(6, -1), (6, 1)])]).length(), 9)
+        6.0
         """
     def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
@@ -2512,6 +3071,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.chamfered(1.0).length() - 2**0.5, 9)
+        6.0
         """
     def offset(
         self,
@@ -2637,6 +3202,12 @@ class NurbsCurve:
         References
         ----------
         Lane and Riesenfeld 1981; lecture row S15.
+
+        Examples
+        --------
+        >>> found = sc.BezierCurve([(0, 0), (4, 0)]).stationary_points((1, 2))
+        >>> found.parameters.round(9).tolist(), found.kinds
+        ([0.0, 0.25, 1.0], ('maximum', 'minimum', 'maximum'))
         """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -2667,6 +3238,12 @@ class NurbsCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> bow = sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])
+        >>> bow.nearest_all((0, 2)).points[:, 0].round(6).tolist()
+        [-1.0, 1.0]
         """
     def rebuild(
         self,
@@ -2752,6 +3329,13 @@ class NurbsCurve:
         References
         ----------
         Reinsch 1967; lecture row S17.
+
+        Examples
+        --------
+        >>> noisy = sc.BezierCurve([(0, 0), (1, 0.1), (2, -0.1), (3, 0)])
+        >>> smooth, error = noisy.fair(0.01)
+        >>> bool(np.ptp(smooth.points[:, 1]) < np.ptp(noisy.points[:, 1])), error <= 0.01
+        (True, True)
         """
     def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
@@ -2906,25 +3490,25 @@ class NurbsCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -2935,6 +3519,8 @@ class NurbsCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -3080,6 +3666,12 @@ class NurbsCurve:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -3137,26 +3729,67 @@ class BezierCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> half_circle = sc.BezierCurve.from_homogeneous([(1, 0, 0, 1), (0, 1, 0, 0), (-1, 0, 0, 1)])
+        >>> half_circle.evaluate(0.5)
+        array([0., 1., 0.])
         """
     @property
     def degree(self) -> int:
-        """The degree."""
+        """The degree.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).degree
+        2
+        """
     @property
     def domain(self) -> _Interval:
-        """First and last parameter (start, end)."""
+        """First and last parameter (start, end).
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).domain
+        (0.0, 2.0)
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_rational, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_rational
+        (True, False)
+        """
     @property
     def points(self) -> _Floats:
-        """Control points (n, 3) float64, as given, read-only."""
+        """Control points (n, 3) float64, as given, read-only.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]]
+        """
     @property
     def weights(self) -> _Floats:
-        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity."""
+        """Weights (n,) float64, read-only. A point of weight 0 is a direction: a point at infinity.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], weights=[1, 0, 1]).weights
+        array([1., 0., 1.])
+        """
     @property
     def homogeneous_points(self) -> _Floats:
         """Rows (n, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too large
         for a number.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(1, 0), (0, 1), (-1, 0)], weights=[2, 0, 1]).homogeneous_points.tolist()
+        [[2.0, 0.0, 0.0, 2.0], [0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 1.0]]
         """
     def with_points(self, points: ArrayLike) -> BezierCurve:
         """Replace the control points, keep weights and knots.
@@ -3175,6 +3808,12 @@ class BezierCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> curve.with_points(curve.points + (0, 0, 1)).evaluate(0.5).tolist()
+        [1.0, 1.0, 1.0]
         """
     def with_weights(self, weights: ArrayLike) -> BezierCurve:
         """Replace the weights, keep control points and knots.
@@ -3193,6 +3832,12 @@ class BezierCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(1, 0), (1, 1), (0, 1)])
+        >>> round(curve.with_weights([1, 0.5**0.5, 1]).length() / np.pi, 9)      # a quarter circle
+        0.5
         """
     def evaluate(
         self,
@@ -3319,6 +3964,13 @@ class BezierCurve:
         -------
         list of tuple (float, float)
             Intervals (start, end) in order.
+
+        Examples
+        --------
+        >>> sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))[0].pieces()
+        [(0.0, 1.0)]
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 0, -1]).pieces()
+        [(0.0, 0.5), (0.5, 1.0)]
         """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
@@ -3371,6 +4023,12 @@ class BezierCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> before, after = sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).split(0.5)
+        >>> before.points.tolist(), after.points.tolist()
+        ([[0.0, 0.0, 0.0], [0.5, 1.0, 0.0], [1.0, 1.0, 0.0]], [[1.0, 1.0, 0.0], [1.5, 1.0, 0.0], [2.0, 0.0, 0.0]])
         """
     def transformed(self, matrix: ArrayLike) -> BezierCurve:
         """Apply a linear, affine or projective map.
@@ -3419,6 +4077,11 @@ class BezierCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierCurve:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -3441,6 +4104,11 @@ class BezierCurve:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierCurve:
         """Scale the shape about a point.
@@ -3461,6 +4129,11 @@ class BezierCurve:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
         """Append another curve of any kind.
@@ -3520,10 +4193,22 @@ class BezierCurve:
         References
         ----------
         Lecture row S16.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (1, 0)])
+        >>> [a.continuity_to(sc.BezierCurve([(1, 0), end])).g for end in ((3, 0), (1, 1))]
+        [2, 0]
         """
     @property
     def is_closed(self) -> bool:
-        """Whether the curve is in one piece and ends exactly where it begins."""
+        """Whether the curve is in one piece and ends exactly where it begins.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_closed, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_closed
+        (True, False)
+        """
     def reversed(self) -> BezierCurve:
         """Reverse the direction of the curve.
 
@@ -3531,6 +4216,11 @@ class BezierCurve:
         -------
         BezierCurve
             The same points in the opposite direction.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).reversed().points.tolist()
+        [[2.0, 0.0, 0.0], [1.0, 2.0, 0.0], [0.0, 0.0, 0.0]]
         """
     def to_bezier(self) -> list[BezierCurve]:
         """Convert to Bezier curves, one for each span.
@@ -3562,6 +4252,12 @@ class BezierCurve:
         ------
         InvalidShape
             If it is rational, has a gap, or its degree is above 3.
+
+        Examples
+        --------
+        >>> chain = sc.BezierCurve([(0, 0), (1, 3), (2, 3), (3, 0)]).to_hermite()
+        >>> chain.tangents[:, 1].tolist()
+        [[3.0, 9.0, 0.0], [3.0, -9.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsCurve:
         """Convert to a NURBS curve.
@@ -3727,6 +4423,13 @@ class BezierCurve:
         References
         ----------
         Lecture rows S10, S11.
+
+        Examples
+        --------
+        >>> right, left = sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> arcs = right.finite_arcs(3.0)
+        >>> len(arcs), bool(np.all(arcs[0].weights > 0))
+        (1, True)
         """
     def moebius(self, rho: float) -> BezierCurve:
         """Change the parameter to t = rho u / ((1 - u) + rho u): weights are multiplied by rho**i.
@@ -3749,6 +4452,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S12.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> line.moebius(3.0).weights.tolist(), line.moebius(3.0).evaluate(0.5).tolist()
+        ([1.0, 3.0], [3.0, 0.0, 0.0])
         """
     def multiplied(self, start: float, end: float) -> BezierCurve:
         """Multiply the homogeneous coordinates by a linear function; the degree grows by one, weights change,
@@ -3799,6 +4508,11 @@ class BezierCurve:
         References
         ----------
         Lecture row S12.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 2, 4]).standard_form().weights.tolist()
+        [1.0, 1.0, 1.0]
         """
     def casteljau_triangle(self, u: float) -> list[_Floats]:
         """All rows of de Casteljau's algorithm on homogeneous points.
@@ -3821,6 +4535,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S9.
+
+        Examples
+        --------
+        >>> rows = sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).casteljau_triangle(0.5)
+        >>> [row[:, :2].tolist() for row in rows]
+        [[[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]], [[0.5, 1.0], [1.5, 1.0]], [[1.0, 1.0]]]
         """
     def rational_casteljau_triangle(self, u: float) -> tuple[list[_Floats], tuple[int, int, str] | None]:
         """All rows of the rational de Casteljau algorithm.
@@ -3844,6 +4564,12 @@ class BezierCurve:
         References
         ----------
         Farin 1983; lecture row S9.
+
+        Examples
+        --------
+        >>> rows, stopped = sc.BezierCurve([(0, 0), (4, 0)], weights=[1, 3]).rational_casteljau_triangle(0.5)
+        >>> rows[-1].tolist(), stopped
+        ([[3.0, 0.0, 0.0, 2.0]], None)
         """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
                cancel: _Cancel | None = None) -> float:
@@ -4176,6 +4902,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> loop = sc.BezierCurve([(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> loop.self_intersections().points[:, 0].round(9).tolist()
+        [0.5]
         """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -4333,6 +5065,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> [round(part.length(), 9) for part in line.split_by([sc.BezierCurve([(1, -1), (1, 1)])])]
+        [1.0, 3.0]
         """
     def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
         """Remove the part of the curve about a parameter, between where it meets other curves.
@@ -4361,6 +5099,13 @@ class BezierCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> others = [sc.BezierCurve([(x, -1), (x, 1)]) for x in (1, 3)]
+        >>> [round(part.length(), 9) for part in line.trimmed(others, 0.5)]
+        [1.0, 1.0]
         """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
@@ -4435,6 +5180,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> round(line.extended_to([sc.BezierCurve([(6, -1), (6, 1)])]).length(), 9)
+        6.0
         """
     def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
@@ -4503,6 +5254,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.chamfered(1.0).length() - 2**0.5, 9)
+        6.0
         """
     def offset(
         self,
@@ -4628,6 +5385,12 @@ class BezierCurve:
         References
         ----------
         Lane and Riesenfeld 1981; lecture row S15.
+
+        Examples
+        --------
+        >>> found = sc.BezierCurve([(0, 0), (4, 0)]).stationary_points((1, 2))
+        >>> found.parameters.round(9).tolist(), found.kinds
+        ([0.0, 0.25, 1.0], ('maximum', 'minimum', 'maximum'))
         """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -4658,6 +5421,12 @@ class BezierCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> bow = sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])
+        >>> bow.nearest_all((0, 2)).points[:, 0].round(6).tolist()
+        [-1.0, 1.0]
         """
     def rebuild(
         self,
@@ -4743,6 +5512,13 @@ class BezierCurve:
         References
         ----------
         Reinsch 1967; lecture row S17.
+
+        Examples
+        --------
+        >>> noisy = sc.BezierCurve([(0, 0), (1, 0.1), (2, -0.1), (3, 0)])
+        >>> smooth, error = noisy.fair(0.01)
+        >>> bool(np.ptp(smooth.points[:, 1]) < np.ptp(noisy.points[:, 1])), error <= 0.01
+        (True, True)
         """
     def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
@@ -4897,25 +5673,25 @@ class BezierCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -4926,6 +5702,8 @@ class BezierCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -5071,6 +5849,12 @@ class BezierCurve:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -5113,22 +5897,58 @@ class HermiteCurve:
     ) -> None: ...
     @property
     def degree(self) -> int:
-        """The degree."""
+        """The degree.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).degree
+        2
+        """
     @property
     def domain(self) -> _Interval:
-        """First and last parameter (start, end)."""
+        """First and last parameter (start, end).
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).domain
+        (0.0, 2.0)
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_rational, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_rational
+        (True, False)
+        """
     @property
     def points(self) -> _Floats:
-        """Points (n, 3) float64, read-only."""
+        """Points (n, 3) float64, read-only.
+
+        Examples
+        --------
+        >>> sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)]).points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+        """
     @property
     def tangents(self) -> _Floats:
-        """Derivatives (n, 2, 3) float64, incoming and outgoing, read-only."""
+        """Derivatives (n, 2, 3) float64, incoming and outgoing, read-only.
+
+        Examples
+        --------
+        >>> sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)]).tangents.shape
+        (2, 2, 3)
+        """
     @property
     def parameters(self) -> _Floats:
-        """Parameters (n,) float64 of the points, read-only."""
+        """Parameters (n,) float64 of the points, read-only.
+
+        Examples
+        --------
+        >>> sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)]).parameters
+        array([0., 1.])
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -5254,6 +6074,13 @@ class HermiteCurve:
         -------
         list of tuple (float, float)
             Intervals (start, end) in order.
+
+        Examples
+        --------
+        >>> sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))[0].pieces()
+        [(0.0, 1.0)]
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 0, -1]).pieces()
+        [(0.0, 0.5), (0.5, 1.0)]
         """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
@@ -5306,6 +6133,12 @@ class HermiteCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> before, after = sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)]).split(0.5)
+        >>> before.domain, after.domain
+        ((0.0, 0.5), (0.5, 1.0))
         """
     def transformed(self, matrix: ArrayLike) -> HermiteCurve:
         """Apply a linear, affine or projective map.
@@ -5354,6 +6187,11 @@ class HermiteCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermiteCurve:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -5376,6 +6214,11 @@ class HermiteCurve:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermiteCurve:
         """Scale the shape about a point.
@@ -5396,6 +6239,11 @@ class HermiteCurve:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
         """Append another curve of any kind.
@@ -5455,10 +6303,22 @@ class HermiteCurve:
         References
         ----------
         Lecture row S16.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (1, 0)])
+        >>> [a.continuity_to(sc.BezierCurve([(1, 0), end])).g for end in ((3, 0), (1, 1))]
+        [2, 0]
         """
     @property
     def is_closed(self) -> bool:
-        """Whether the curve is in one piece and ends exactly where it begins."""
+        """Whether the curve is in one piece and ends exactly where it begins.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_closed, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_closed
+        (True, False)
+        """
     def reversed(self) -> HermiteCurve:
         """Reverse the direction of the curve over the same domain.
 
@@ -5468,6 +6328,12 @@ class HermiteCurve:
         -------
         HermiteCurve
             The same points in the opposite direction.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (4, 0)])
+        >>> curve.reversed().evaluate(0.25).tolist()
+        [3.0, 0.0, 0.0]
         """
     def to_bezier(self) -> list[BezierCurve]:
         """Convert to Bezier curves, one for each span.
@@ -5499,6 +6365,12 @@ class HermiteCurve:
         ------
         InvalidShape
             If it is rational, has a gap, or its degree is above 3.
+
+        Examples
+        --------
+        >>> chain = sc.BezierCurve([(0, 0), (1, 3), (2, 3), (3, 0)]).to_hermite()
+        >>> chain.tangents[:, 1].tolist()
+        [[3.0, 9.0, 0.0], [3.0, -9.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsCurve:
         """Convert to a cubic NURBS curve with triple knots.
@@ -5507,6 +6379,11 @@ class HermiteCurve:
         -------
         NurbsCurve
             The same curve.
+
+        Examples
+        --------
+        >>> sc.HermiteCurve([(0, 0), (1, 0)], [(0, 3), (0, 3)]).to_nurbs().points.round(9).tolist()
+        [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 0.0, 0.0]]
         """
     def to_power(self) -> list[PowerCurve]:
         """Convert to powers of the parameter, one curve for each span.
@@ -5519,6 +6396,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S2.
+
+        Examples
+        --------
+        >>> curve = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 2)])
+        >>> [part.coefficients.tolist() for part in curve.to_power()]
+        [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0], [0.0, 2.0, 0.0]]]
         """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
                cancel: _Cancel | None = None) -> float:
@@ -5851,6 +6734,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> loop = sc.BezierCurve([(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> loop.self_intersections().points[:, 0].round(9).tolist()
+        [0.5]
         """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -6008,6 +6897,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> [round(part.length(), 9) for part in line.split_by([sc.BezierCurve([(1, -1), (1, 1)])])]
+        [1.0, 3.0]
         """
     def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
         """Remove the part of the curve about a parameter, between where it meets other curves.
@@ -6036,6 +6931,13 @@ class HermiteCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> others = [sc.BezierCurve([(x, -1), (x, 1)]) for x in (1, 3)]
+        >>> [round(part.length(), 9) for part in line.trimmed(others, 0.5)]
+        [1.0, 1.0]
         """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
@@ -6110,6 +7012,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> round(line.extended_to([sc.BezierCurve([(6, -1), (6, 1)])]).length(), 9)
+        6.0
         """
     def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
@@ -6178,6 +7086,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.chamfered(1.0).length() - 2**0.5, 9)
+        6.0
         """
     def offset(
         self,
@@ -6303,6 +7217,12 @@ class HermiteCurve:
         References
         ----------
         Lane and Riesenfeld 1981; lecture row S15.
+
+        Examples
+        --------
+        >>> found = sc.BezierCurve([(0, 0), (4, 0)]).stationary_points((1, 2))
+        >>> found.parameters.round(9).tolist(), found.kinds
+        ([0.0, 0.25, 1.0], ('maximum', 'minimum', 'maximum'))
         """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -6333,6 +7253,12 @@ class HermiteCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> bow = sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])
+        >>> bow.nearest_all((0, 2)).points[:, 0].round(6).tolist()
+        [-1.0, 1.0]
         """
     def rebuild(
         self,
@@ -6418,6 +7344,13 @@ class HermiteCurve:
         References
         ----------
         Reinsch 1967; lecture row S17.
+
+        Examples
+        --------
+        >>> noisy = sc.BezierCurve([(0, 0), (1, 0.1), (2, -0.1), (3, 0)])
+        >>> smooth, error = noisy.fair(0.01)
+        >>> bool(np.ptp(smooth.points[:, 1]) < np.ptp(noisy.points[:, 1])), error <= 0.01
+        (True, True)
         """
     def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
@@ -6572,25 +7505,25 @@ class HermiteCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -6601,6 +7534,8 @@ class HermiteCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -6728,6 +7663,12 @@ class HermiteCurve:
         ------
         InvalidShape
             If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        Examples
+        --------
+        >>> chain = sc.HermiteCurve([(0, 0), (1, 0)], [(0, 1), (0, 1)])
+        >>> chain.dragged(0.5, (0, 1, 0)).evaluate(0.5).round(9).tolist()
+        [0.5, 1.0, 0.0]
         """
     def dumps(self) -> str:
         """Write the shape as JSON text.
@@ -6736,6 +7677,12 @@ class HermiteCurve:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -6802,30 +7749,77 @@ class PowerCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> quarter_circle = sc.PowerCurve.from_homogeneous([(1, 0, 0, 1), (0, 2, 0, 0), (-1, 0, 0, 1)])
+        >>> quarter_circle.evaluate(1.0)      # (1 - t², 2t) / (1 + t²)
+        array([0., 1., 0.])
         """
     @property
     def degree(self) -> int:
-        """The degree."""
+        """The degree.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).degree
+        2
+        """
     @property
     def domain(self) -> _Interval:
-        """First and last parameter (start, end)."""
+        """First and last parameter (start, end).
+
+        Examples
+        --------
+        >>> sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (1, 0), (1, 1)]).domain
+        (0.0, 2.0)
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_rational, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_rational
+        (True, False)
+        """
     @property
     def coefficients(self) -> _Floats:
         """Coefficients (degree + 1, 3) float64, lowest power first, read-only; those of the numerator of a
         rational curve.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).coefficients.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]
         """
     @property
     def weights(self) -> _Floats:
-        """Coefficients (degree + 1,) float64 of the denominator, read-only: 1, 0, 0, … of a polynomial."""
+        """Coefficients (degree + 1,) float64 of the denominator, read-only: 1, 0, 0, … of a polynomial.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).weights
+        array([1., 0., 0.])
+        """
     @property
     def homogeneous_coefficients(self) -> _Floats:
-        """Rows (degree + 1, 4) float64 as `from_homogeneous` takes them, read-only."""
+        """Rows (degree + 1, 4) float64 as `from_homogeneous` takes them, read-only.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0)]).homogeneous_coefficients.tolist()
+        [[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, 0.0]]
+        """
     @property
     def origin(self) -> float:
-        """The parameter at which the powers are zero."""
+        """The parameter at which the powers are zero.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0)], origin=0.5).origin
+        0.5
+        """
     def evaluate(
         self,
         u: ArrayLike,
@@ -6951,6 +7945,13 @@ class PowerCurve:
         -------
         list of tuple (float, float)
             Intervals (start, end) in order.
+
+        Examples
+        --------
+        >>> sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))[0].pieces()
+        [(0.0, 1.0)]
+        >>> sc.BezierCurve([(0, 0), (1, 1), (2, 0)], weights=[1, 0, -1]).pieces()
+        [(0.0, 0.5), (0.5, 1.0)]
         """
     def polylines(
         self, resolution: SupportsIndex, reach: float | None = None, around: ArrayLike | None = None
@@ -7003,6 +8004,12 @@ class PowerCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> before, after = sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).split(0.25)
+        >>> before.domain, after.domain, before.coefficients.tolist() == after.coefficients.tolist()
+        ((0.0, 0.25), (0.25, 1.0), True)
         """
     def transformed(self, matrix: ArrayLike) -> PowerCurve:
         """Apply a linear, affine or projective map.
@@ -7051,6 +8058,11 @@ class PowerCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PowerCurve:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -7073,6 +8085,11 @@ class PowerCurve:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PowerCurve:
         """Scale the shape about a point.
@@ -7093,6 +8110,11 @@ class PowerCurve:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def join(self, other: _Curve, continuity: _Smoothness = "C0") -> Approximation[NurbsCurve]:
         """Append another curve of any kind.
@@ -7152,10 +8174,22 @@ class PowerCurve:
         References
         ----------
         Lecture row S16.
+
+        Examples
+        --------
+        >>> a = sc.BezierCurve([(0, 0), (1, 0)])
+        >>> [a.continuity_to(sc.BezierCurve([(1, 0), end])).g for end in ((3, 0), (1, 1))]
+        [2, 0]
         """
     @property
     def is_closed(self) -> bool:
-        """Whether the curve is in one piece and ends exactly where it begins."""
+        """Whether the curve is in one piece and ends exactly where it begins.
+
+        Examples
+        --------
+        >>> sc.conics.circle((0, 0, 0), 1.0).is_closed, sc.BezierCurve([(0, 0), (1, 2), (2, 0)]).is_closed
+        (True, False)
+        """
     def reversed(self) -> PowerCurve:
         """Reverse the direction of the curve over the same domain, about the mirrored origin.
 
@@ -7163,6 +8197,11 @@ class PowerCurve:
         -------
         PowerCurve
             The same points in the opposite direction.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (4, 0)]).reversed().evaluate(0.25).tolist()
+        [3.0, 0.0, 0.0]
         """
     def derivative(self) -> PowerCurve:
         """Differentiate the curve by its parameter.
@@ -7210,6 +8249,11 @@ class PowerCurve:
         References
         ----------
         Knuth, The Art of Computer Programming, 4.6.4; lecture row S2.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).to_power(0.5).coefficients.tolist()
+        [[0.5, 0.25, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
         """
     def with_domain(self, domain: ArrayLike) -> PowerCurve:
         """Keep the coefficients, replace the domain.
@@ -7228,6 +8272,11 @@ class PowerCurve:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).with_domain((0, 3)).evaluate(3.0).tolist()
+        [3.0, 9.0, 0.0]
         """
     def to_bezier(self) -> list[BezierCurve]:
         """Convert to Bezier curves, one for each span.
@@ -7259,6 +8308,12 @@ class PowerCurve:
         ------
         InvalidShape
             If it is rational, has a gap, or its degree is above 3.
+
+        Examples
+        --------
+        >>> chain = sc.BezierCurve([(0, 0), (1, 3), (2, 3), (3, 0)]).to_hermite()
+        >>> chain.tangents[:, 1].tolist()
+        [[3.0, 9.0, 0.0], [3.0, -9.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsCurve:
         """Convert to a NURBS curve of one clamped span.
@@ -7267,6 +8322,11 @@ class PowerCurve:
         -------
         NurbsCurve
             The same curve.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (2, 0), (0, 4)]).to_nurbs().points.tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 4.0, 0.0]]
         """
     def to_power(self, origin: float = 0.0) -> PowerCurve:
         """Expand about another origin.
@@ -7291,6 +8351,11 @@ class PowerCurve:
         References
         ----------
         Knuth, The Art of Computer Programming, 4.6.4; lecture row S2.
+
+        Examples
+        --------
+        >>> sc.PowerCurve([(0, 0), (1, 0), (0, 1)]).to_power(0.5).coefficients.tolist()
+        [[0.5, 0.25, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
         """
     def length(self, start: float | None = None, end: float | None = None, *, tolerance: float = 1e-13,
                cancel: _Cancel | None = None) -> float:
@@ -7623,6 +8688,12 @@ class PowerCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> loop = sc.BezierCurve([(0, 0), (3, 2), (-2, 2), (1, 0)])
+        >>> loop.self_intersections().points[:, 0].round(9).tolist()
+        [0.5]
         """
     def patch_intersections(
         self, patch: _Patch, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -7780,6 +8851,12 @@ class PowerCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> [round(part.length(), 9) for part in line.split_by([sc.BezierCurve([(1, -1), (1, 1)])])]
+        [1.0, 3.0]
         """
     def trimmed(self, others: Sequence[_Curve], at: float, *, cancel: _Cancel | None = None) -> list[NurbsCurve]:
         """Remove the part of the curve about a parameter, between where it meets other curves.
@@ -7808,6 +8885,13 @@ class PowerCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> others = [sc.BezierCurve([(x, -1), (x, 1)]) for x in (1, 3)]
+        >>> [round(part.length(), 9) for part in line.trimmed(others, 0.5)]
+        [1.0, 1.0]
         """
     def extended(
         self, length: float, at: Literal["start", "end"] = "end", how: _Extension = "natural"
@@ -7882,6 +8966,12 @@ class PowerCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> line = sc.BezierCurve([(0, 0), (4, 0)])
+        >>> round(line.extended_to([sc.BezierCurve([(6, -1), (6, 1)])]).length(), 9)
+        6.0
         """
     def rounded(self, radius: float, *, shrink: bool = False, cancel: _Cancel | None = None) -> NurbsCurve:
         """Replace every corner by an arc that touches both sides.
@@ -7950,6 +9040,12 @@ class PowerCurve:
         References
         ----------
         Lecture row S18.
+
+        Examples
+        --------
+        >>> corner = sc.NurbsCurve(1, [0, 0, 1, 2, 2], [(0, 0), (4, 0), (4, 4)])
+        >>> round(corner.chamfered(1.0).length() - 2**0.5, 9)
+        6.0
         """
     def offset(
         self,
@@ -8075,6 +9171,12 @@ class PowerCurve:
         References
         ----------
         Lane and Riesenfeld 1981; lecture row S15.
+
+        Examples
+        --------
+        >>> found = sc.BezierCurve([(0, 0), (4, 0)]).stationary_points((1, 2))
+        >>> found.parameters.round(9).tolist(), found.kinds
+        ([0.0, 0.25, 1.0], ('maximum', 'minimum', 'maximum'))
         """
     def nearest_all(
         self, point: ArrayLike, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -8105,6 +9207,12 @@ class PowerCurve:
         References
         ----------
         Lecture row S15.
+
+        Examples
+        --------
+        >>> bow = sc.BezierCurve([(-1, 1), (0, -1), (1, 1)])
+        >>> bow.nearest_all((0, 2)).points[:, 0].round(6).tolist()
+        [-1.0, 1.0]
         """
     def rebuild(
         self,
@@ -8190,6 +9298,13 @@ class PowerCurve:
         References
         ----------
         Reinsch 1967; lecture row S17.
+
+        Examples
+        --------
+        >>> noisy = sc.BezierCurve([(0, 0), (1, 0.1), (2, -0.1), (3, 0)])
+        >>> smooth, error = noisy.fair(0.01)
+        >>> bool(np.ptp(smooth.points[:, 1]) < np.ptp(noisy.points[:, 1])), error <= 0.01
+        (True, True)
         """
     def torsion(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Measure the torsion det(C', C'', C''') / |C' x C''|², positive for a right-handed screw.
@@ -8344,25 +9459,25 @@ class PowerCurve:
         >>> round(sc.conics.circle((0, 0, 0), 2.0).signed_area(), 9)
         12.566370614
         """
-    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int:
-        """Count how often a closed curve winds around a point, to the left.
+    def winding_number(self, point: ArrayLike, normal: ArrayLike = (0.0, 0.0, 1.0)) -> int | NDArray[np.int64]:
+        """Count how often a closed curve winds around a point, or each of several points, to the left.
 
         Parameters
         ----------
         point : array_like
-            Point (3,).
+            Point (2 or 3,), or points (..., 2 or 3).
         normal : array_like, default (0.0, 0.0, 1.0)
             Vector (3,) that the curve is seen against.
 
         Returns
         -------
-        int
-            The winding number; 0 outside.
+        int or numpy.ndarray
+            The winding number, 0 outside; of points an int64 array (...,).
 
         Raises
         ------
         InvalidShape
-            If the point lies on the curve up to 1e-12 of its size, or the curve is not closed.
+            If a point lies on the curve up to 1e-12 of its size, or the curve is not closed.
 
         References
         ----------
@@ -8373,6 +9488,8 @@ class PowerCurve:
         >>> circle = sc.conics.circle((0, 0, 0), 2.0)
         >>> circle.winding_number((1, 0, 0)), circle.winding_number((3, 0, 0))
         (1, 0)
+        >>> circle.winding_number([(1, 0), (3, 0)])
+        array([1, 0])
         """
     def frenet_frame(self, u: ArrayLike, *, side: _Side = "right") -> _Floats:
         """Evaluate tangent, normal and binormal of Frenet's frame.
@@ -8467,6 +9584,12 @@ class PowerCurve:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -8542,35 +9665,94 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> rows = [[(0, 0, 0, 1), (0, 1, 0, 1)], [(4, 0, 0, 2), (4, 2, 0, 2)]]
+        >>> sc.NurbsPatch.from_homogeneous((1, 1), ([0, 0, 1, 1], [0, 0, 1, 1]), rows).points[1].tolist()
+        [[2.0, 0.0, 0.0], [2.0, 1.0, 0.0]]
         """
     @property
     def degree(self) -> tuple[int, int]:
-        """Degrees in u and in v."""
+        """Degrees in u and in v.
+
+        Examples
+        --------
+        >>> sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0).degree
+        (2, 1)
+        """
     @property
     def domain(self) -> tuple[_Interval, _Interval]:
-        """Domains ((start, end) of u, (start, end) of v)."""
+        """Domains ((start, end) of u, (start, end) of v).
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).domain
+        ((0.0, 4.0), (0.0, 2.0))
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).is_rational
+        True
+        """
     @property
     def periodic(self) -> tuple[bool, bool]:
-        """Whether the patch is periodic in u and in v."""
+        """Whether the patch is periodic in u and in v.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).periodic
+        (True, False)
+        """
     @property
     def knots(self) -> tuple[_Floats, _Floats]:
-        """Knots of u and of v: read-only float64 arrays."""
+        """Knots of u and of v: read-only float64 arrays.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).knots
+        (array([0., 0., 1., 1.]), array([0., 0., 1., 1.]))
+        """
     @property
     def knot_vectors(self) -> tuple[basis.KnotVector, basis.KnotVector]:
-        """The `basis.KnotVector` of u and that of v."""
+        """The `basis.KnotVector` of u and that of v.
+
+        Examples
+        --------
+        >>> [vector.count for vector in sc.build.sphere((0, 0, 0), 1.0).knot_vectors]
+        [8, 5]
+        """
     @property
     def points(self) -> _Floats:
-        """Control points (nu, nv, 3) float64, as given, read-only."""
+        """Control points (nu, nv, 3) float64, as given, read-only.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).points.tolist()
+        [[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[2.0, 0.0, 0.0], [2.0, 1.0, 0.0]]]
+        """
     @property
     def weights(self) -> _Floats:
-        """Weights (nu, nv) float64, read-only."""
+        """Weights (nu, nv) float64, read-only.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).weights.tolist()
+        [[1.0, 1.0], [1.0, 1.0]]
+        """
     @property
     def homogeneous_points(self) -> _Floats:
         """Array (nu, nv, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too
         large for a number.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).homogeneous_points.shape
+        (2, 2, 4)
         """
     def with_points(self, points: ArrayLike) -> NurbsPatch:
         """Replace the control points, keep everything else.
@@ -8589,6 +9771,12 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.with_points(plane.points + (0, 0, 3)).evaluate(0.5, 0.5).tolist()
+        [1.0, 0.5, 3.0]
         """
     def with_weights(self, weights: ArrayLike) -> NurbsPatch:
         """Replace the weights, keep everything else.
@@ -8607,6 +9795,12 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.with_weights([[1, 1], [3, 3]]).evaluate(0.5, 0.5).tolist()
+        [1.5, 0.5, 0.0]
         """
     def evaluate(
         self,
@@ -8892,6 +10086,13 @@ class NurbsPatch:
             Where the weight is zero, unless `at_infinity` is 'nan'.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> point, along_u, along_v = plane.first_derivatives(0.5, 0.5)
+        >>> point.tolist(), along_u.tolist(), along_v.tolist()
+        ([1.0, 0.5, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0])
         """
     def split(self, axis: _Axis, u: float) -> tuple[NurbsPatch, ...]:
         """Cut the patch at a parameter of one direction.
@@ -8942,6 +10143,12 @@ class NurbsPatch:
         References
         ----------
         Lecture rows S9, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> round(plane.transformed([[1, 0, 0, 5], [0, 3, 0, 0], [0, 0, 1, 0]]).area(), 9)
+        6.0
         """
     def translated(self, by: ArrayLike) -> NurbsPatch:
         """Move the shape by a vector.
@@ -8960,6 +10167,11 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> NurbsPatch:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -8982,6 +10194,11 @@ class NurbsPatch:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> NurbsPatch:
         """Scale the shape about a point.
@@ -9002,6 +10219,11 @@ class NurbsPatch:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def reversed(self, axis: _Axis) -> NurbsPatch:
         """Reverse one direction; normals are turned over.
@@ -9020,6 +10242,12 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.reversed("u").evaluate(0.0, 0.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def swapped(self) -> NurbsPatch:
         """Exchange u and v; normals are turned over.
@@ -9028,6 +10256,12 @@ class NurbsPatch:
         -------
         NurbsPatch
             The same surface.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.swapped().evaluate(0.0, 1.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def to_bezier(self) -> list[list[BezierPatch]]:
         """Convert to Bezier patches, one for each pair of spans.
@@ -9055,6 +10289,11 @@ class NurbsPatch:
         ------
         InvalidShape
             If it is rational, of degree above 3 or not C1 inside.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).to_hermite().tangents_u[0].tolist()
+        [[2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsPatch:
         """Give the patch itself.
@@ -9063,6 +10302,12 @@ class NurbsPatch:
         -------
         NurbsPatch
             The patch.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.to_nurbs() == plane
+        True
         """
     def insert_knot(self, axis: _Axis, u: float, times: SupportsIndex = 1) -> NurbsPatch:
         """Add a knot in one direction without changing the surface.
@@ -9111,6 +10356,12 @@ class NurbsPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.refine("u", [0.25, 0.5]).points[:, 0, 0].tolist()
+        [0.0, 1.0, 2.0, 4.0]
         """
     def unrolled(self) -> NurbsPatch:
         """Convert periodic directions to plain ones whose knots and points are repeated.
@@ -9119,6 +10370,12 @@ class NurbsPatch:
         -------
         NurbsPatch
             The same surface.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> sphere.unrolled().periodic, round(sphere.unrolled().area() / np.pi, 9)
+        ((False, False), 4.0)
         """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
@@ -9231,6 +10488,12 @@ class NurbsPatch:
         References
         ----------
         Sherbrooke and Patrikalakis 1993.
+
+        Examples
+        --------
+        >>> found = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0)).stationary_points((1, 1, 2))
+        >>> found.kinds.count("minimum"), found.distances.min().round(9).item()
+        (1, 2.0)
         """
     def rays(
         self,
@@ -9401,6 +10664,12 @@ class NurbsPatch:
             If the point is not finite, or where such places are a curve.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0))
+        >>> plane.nearest_all((1, 2, 3)).parameters.round(9).tolist()
+        [[0.25, 0.5]]
         """
     def rebuild(
         self,
@@ -9437,6 +10706,12 @@ class NurbsPatch:
         References
         ----------
         Lecture rows S17, S20.
+
+        Examples
+        --------
+        >>> patch, error = sc.build.sphere((0, 0, 0), 1.0).rebuild((12, 9), 3)
+        >>> patch.points.shape, patch.is_rational, error < 0.05
+        ((12, 9, 3), False, True)
         """
     def fair(
         self, tolerance: float, *,
@@ -9471,6 +10746,14 @@ class NurbsPatch:
         References
         ----------
         Greiner 1994; lecture row S17.
+
+        Examples
+        --------
+        >>> x, y = np.meshgrid(np.arange(5.0), np.arange(5.0), indexing="ij")
+        >>> noisy, _ = sc.fit.interpolate_patch(np.stack([x, y, 0.1 * (-1) ** (x + y)], axis=-1))
+        >>> smooth, error = noisy.fair(0.05)
+        >>> error <= 0.05, bool(np.ptp(smooth.points[1:-1, 1:-1, 2]) < np.ptp(noisy.points[1:-1, 1:-1, 2]))
+        (True, True)
         """
     def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
         """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
@@ -9500,6 +10783,13 @@ class NurbsPatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> first, second = plane.fundamental_forms(0.5, 0.5)
+        >>> first.tolist(), second.tolist()
+        ([[4.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]])
         """
     def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
         """Measure the curvatures at pairs of parameters, which broadcast.
@@ -9647,6 +10937,12 @@ class NurbsPatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> dome = sc.build.sphere((0, 0, 0), 1.0).split("v", 1.0)[1]
+        >>> dome.surface_centroid().round(9)[2].item()
+        0.5
         """
     def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
         """Find the smallest box along the axes that contains the surface.
@@ -9782,6 +11078,14 @@ class NurbsPatch:
         References
         ----------
         Lecture rows S16, S21.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> turned = b.rotated(0.5, (0, 1, 0), (1, 0, 0))
+        >>> a.continuity_to("u_end", b, "u_start").c, a.continuity_to("u_end", turned, "u_start").g
+        (2, 0)
         """
     def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> NurbsPatch:
         """Raise the degree in one direction without changing the patch; every distinct knot gains as many
@@ -9807,6 +11111,11 @@ class NurbsPatch:
         References
         ----------
         The NURBS Book, 5.5; lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).elevate("v").points[0].tolist()
+        [[0.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 1.0, 0.0]]
         """
     def reduce(
         self, axis: _Axis, times: SupportsIndex = 1, tolerance: float | None = None
@@ -9839,6 +11148,13 @@ class NurbsPatch:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> simpler, error = plane.elevate("u").reduce("u")
+        >>> simpler.degree, error < 1e-9
+        ((1, 1), True)
         """
     def remove_knot(
         self, axis: _Axis, u: float, times: SupportsIndex = 1, tolerance: float | None = None
@@ -9871,6 +11187,13 @@ class NurbsPatch:
         References
         ----------
         The NURBS Book, 5.4; lecture row S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> simpler, error = plane.insert_knot("u", 0.5).remove_knot("u", 0.5)
+        >>> simpler.points.shape, error < 1e-9
+        ((2, 2, 3), True)
         """
     def remove_knots(
         self, axis: _Axis, tolerance: float, *, cancel: _Cancel | None = None
@@ -9901,6 +11224,13 @@ class NurbsPatch:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> simpler, error = plane.refine("v", [0.25, 0.5]).remove_knots("v", 1e-9)
+        >>> simpler.points.shape, error < 1e-9
+        ((2, 2, 3), True)
         """
     def with_domain(self, axis: _Axis, domain: ArrayLike) -> NurbsPatch:
         """Map the knots of one direction to another domain; the points stay.
@@ -9925,6 +11255,11 @@ class NurbsPatch:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0)).with_domain("u", (0, 4)).domain
+        ((0.0, 4.0), (0.0, 1.0))
         """
     def clamped(self, axis: _Axis) -> NurbsPatch:
         """Clamp both ends of one direction; a periodic direction is cut at its seam.
@@ -9947,6 +11282,12 @@ class NurbsPatch:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> sphere = sc.build.sphere((0, 0, 0), 1.0)
+        >>> sphere.clamped("u").periodic, len(sphere.points), len(sphere.clamped("u").points)
+        ((False, False), 8, 9)
         """
     def unclamped(self, axis: _Axis) -> NurbsPatch:
         """Continue the knots of one direction outside the domain; a periodic direction becomes a plain one.
@@ -9969,6 +11310,12 @@ class NurbsPatch:
         References
         ----------
         The NURBS Book, A12.1; lecture row S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.unclamped("u").knots[0]
+        array([-1.,  0.,  1.,  2.])
         """
     def to_periodic(self, axis: _Axis, tolerance: float | None = None) -> Approximation[NurbsPatch]:
         """Make a closed direction periodic, as smooth at its seam as it is within the tolerance.
@@ -9995,6 +11342,13 @@ class NurbsPatch:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> tube = sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0)
+        >>> ring, error = tube.clamped("u").to_periodic("u")
+        >>> ring.periodic, error < 1e-9
+        ((True, False), True)
         """
     def moebius(self, axis: _Axis, rho: float) -> NurbsPatch:
         """Change the parameter of one direction to t = rho u / ((1 - u) + rho u); the domain stays, knots and
@@ -10022,6 +11376,12 @@ class NurbsPatch:
         References
         ----------
         Lee and Lucian 1991; The NURBS Book, 6.4; lecture row S12.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> plane.moebius("u", 3.0).evaluate(0.5, 0.0).tolist()
+        [3.0, 0.0, 0.0]
         """
     def largest_distance(self, other: NurbsPatch) -> float:
         """Bound the distance from another patch at equal parameters.
@@ -10041,6 +11401,12 @@ class NurbsPatch:
         ------
         InvalidShape
             If the domains differ.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 1, 0))
+        >>> abs(plane.largest_distance(plane.translated((0, 0, 2))) - 2) < 0.04
+        True
         """
     def dragged(
         self,
@@ -10103,6 +11469,12 @@ class NurbsPatch:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -10141,23 +11513,58 @@ class BezierPatch:
     def __init__(self, points: ArrayLike, weights: ArrayLike | None = None) -> None: ...
     @property
     def degree(self) -> tuple[int, int]:
-        """Degrees in u and in v."""
+        """Degrees in u and in v.
+
+        Examples
+        --------
+        >>> sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0).degree
+        (2, 1)
+        """
     @property
     def domain(self) -> tuple[_Interval, _Interval]:
-        """Domains ((start, end) of u, (start, end) of v)."""
+        """Domains ((start, end) of u, (start, end) of v).
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).domain
+        ((0.0, 4.0), (0.0, 2.0))
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).is_rational
+        True
+        """
     @property
     def points(self) -> _Floats:
-        """Control points (nu, nv, 3) float64, as given, read-only."""
+        """Control points (nu, nv, 3) float64, as given, read-only.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).points.tolist()
+        [[[0.0, 0.0, 0.0], [0.0, 1.0, 0.0]], [[2.0, 0.0, 0.0], [2.0, 1.0, 0.0]]]
+        """
     @property
     def weights(self) -> _Floats:
-        """Weights (nu, nv) float64, read-only."""
+        """Weights (nu, nv) float64, read-only.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).weights.tolist()
+        [[1.0, 1.0], [1.0, 1.0]]
+        """
     @property
     def homogeneous_points(self) -> _Floats:
         """Array (nu, nv, 4) of wx, wy, wz, w; a direction keeps its coordinates. InvalidShape where one is too
         large for a number.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).homogeneous_points.shape
+        (2, 2, 4)
         """
     def with_points(self, points: ArrayLike) -> BezierPatch:
         """Replace the control points, keep everything else.
@@ -10176,6 +11583,12 @@ class BezierPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.with_points(plane.points + (0, 0, 3)).evaluate(0.5, 0.5).tolist()
+        [1.0, 0.5, 3.0]
         """
     def with_weights(self, weights: ArrayLike) -> BezierPatch:
         """Replace the weights, keep everything else.
@@ -10194,6 +11607,12 @@ class BezierPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.with_weights([[1, 1], [3, 3]]).evaluate(0.5, 0.5).tolist()
+        [1.5, 0.5, 0.0]
         """
     def evaluate(
         self,
@@ -10479,6 +11898,13 @@ class BezierPatch:
             Where the weight is zero, unless `at_infinity` is 'nan'.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> point, along_u, along_v = plane.first_derivatives(0.5, 0.5)
+        >>> point.tolist(), along_u.tolist(), along_v.tolist()
+        ([1.0, 0.5, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0])
         """
     def split(self, axis: _Axis, u: float) -> tuple[BezierPatch, BezierPatch]:
         """Cut the patch at a parameter of one direction.
@@ -10529,6 +11955,12 @@ class BezierPatch:
         References
         ----------
         Lecture rows S9, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> round(plane.transformed([[1, 0, 0, 5], [0, 3, 0, 0], [0, 0, 1, 0]]).area(), 9)
+        6.0
         """
     def translated(self, by: ArrayLike) -> BezierPatch:
         """Move the shape by a vector.
@@ -10547,6 +11979,11 @@ class BezierPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> BezierPatch:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -10569,6 +12006,11 @@ class BezierPatch:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> BezierPatch:
         """Scale the shape about a point.
@@ -10589,6 +12031,11 @@ class BezierPatch:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def reversed(self, axis: _Axis) -> BezierPatch:
         """Reverse one direction; normals are turned over.
@@ -10607,6 +12054,12 @@ class BezierPatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.reversed("u").evaluate(0.0, 0.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def swapped(self) -> BezierPatch:
         """Exchange u and v; normals are turned over.
@@ -10615,6 +12068,12 @@ class BezierPatch:
         -------
         BezierPatch
             The same surface.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.swapped().evaluate(0.0, 1.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def to_bezier(self) -> list[list[BezierPatch]]:
         """Convert to Bezier patches, one for each pair of spans.
@@ -10642,6 +12101,11 @@ class BezierPatch:
         ------
         InvalidShape
             If it is rational, of degree above 3 or not C1 inside.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).to_hermite().tangents_u[0].tolist()
+        [[2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsPatch:
         """Convert to a NURBS patch.
@@ -10650,6 +12114,11 @@ class BezierPatch:
         -------
         NurbsPatch
             The same patch.
+
+        Examples
+        --------
+        >>> sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]]).to_nurbs().knots
+        (array([0., 0., 1., 1.]), array([0., 0., 1., 1.]))
         """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
@@ -10762,6 +12231,12 @@ class BezierPatch:
         References
         ----------
         Sherbrooke and Patrikalakis 1993.
+
+        Examples
+        --------
+        >>> found = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0)).stationary_points((1, 1, 2))
+        >>> found.kinds.count("minimum"), found.distances.min().round(9).item()
+        (1, 2.0)
         """
     def rays(
         self,
@@ -10932,6 +12407,12 @@ class BezierPatch:
             If the point is not finite, or where such places are a curve.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0))
+        >>> plane.nearest_all((1, 2, 3)).parameters.round(9).tolist()
+        [[0.25, 0.5]]
         """
     def rebuild(
         self,
@@ -10968,6 +12449,12 @@ class BezierPatch:
         References
         ----------
         Lecture rows S17, S20.
+
+        Examples
+        --------
+        >>> patch, error = sc.build.sphere((0, 0, 0), 1.0).rebuild((12, 9), 3)
+        >>> patch.points.shape, patch.is_rational, error < 0.05
+        ((12, 9, 3), False, True)
         """
     def fair(
         self, tolerance: float, *,
@@ -11002,6 +12489,14 @@ class BezierPatch:
         References
         ----------
         Greiner 1994; lecture row S17.
+
+        Examples
+        --------
+        >>> x, y = np.meshgrid(np.arange(5.0), np.arange(5.0), indexing="ij")
+        >>> noisy, _ = sc.fit.interpolate_patch(np.stack([x, y, 0.1 * (-1) ** (x + y)], axis=-1))
+        >>> smooth, error = noisy.fair(0.05)
+        >>> error <= 0.05, bool(np.ptp(smooth.points[1:-1, 1:-1, 2]) < np.ptp(noisy.points[1:-1, 1:-1, 2]))
+        (True, True)
         """
     def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
         """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
@@ -11031,6 +12526,13 @@ class BezierPatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> first, second = plane.fundamental_forms(0.5, 0.5)
+        >>> first.tolist(), second.tolist()
+        ([[4.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]])
         """
     def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
         """Measure the curvatures at pairs of parameters, which broadcast.
@@ -11178,6 +12680,12 @@ class BezierPatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> dome = sc.build.sphere((0, 0, 0), 1.0).split("v", 1.0)[1]
+        >>> dome.surface_centroid().round(9)[2].item()
+        0.5
         """
     def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
         """Find the smallest box along the axes that contains the surface.
@@ -11313,6 +12821,14 @@ class BezierPatch:
         References
         ----------
         Lecture rows S16, S21.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> turned = b.rotated(0.5, (0, 1, 0), (1, 0, 0))
+        >>> a.continuity_to("u_end", b, "u_start").c, a.continuity_to("u_end", turned, "u_start").g
+        (2, 0)
         """
     def elevate(self, axis: _Axis, times: SupportsIndex = 1) -> BezierPatch:
         """Raise the degree in one direction without changing the patch.
@@ -11337,6 +12853,12 @@ class BezierPatch:
         References
         ----------
         The NURBS Book, eq. 5.36; lecture row S19.
+
+        Examples
+        --------
+        >>> patch = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+        >>> patch.elevate("u", 2).degree
+        (3, 1)
         """
     def reduce(
         self, axis: _Axis, times: SupportsIndex = 1, tolerance: float | None = None
@@ -11367,6 +12889,13 @@ class BezierPatch:
         References
         ----------
         Lachance 1988; lecture row S19.
+
+        Examples
+        --------
+        >>> patch = sc.BezierPatch([[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 1)]])
+        >>> simpler, error = patch.elevate("u", 2).reduce("u", 2, tolerance=1e-9)
+        >>> simpler.degree, error < 1e-9
+        ((1, 1), True)
         """
     def dragged(
         self,
@@ -11429,6 +12958,12 @@ class BezierPatch:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -11462,6 +12997,19 @@ class HermitePatch:
     References
     ----------
     Lecture row S20.
+
+    Examples
+    --------
+    >>> x, y = np.meshgrid([0.0, 1.0], [0.0, 1.0], indexing="ij")
+    >>> points = np.stack([x, y, x * y], axis=-1)
+    >>> along_u, along_v = np.stack([x**0, 0 * x, y], axis=-1), np.stack([0 * x, x**0, x], axis=-1)
+    >>> patch = sc.HermitePatch(points, along_u, along_v, twists=np.full((2, 2, 3), (0, 0, 1)))
+    >>> patch.evaluate(0.5, 0.5)
+    array([0.5 , 0.5 , 0.25])
+    >>> patch.points.shape == patch.tangents_u.shape == patch.tangents_v.shape == patch.twists.shape
+    True
+    >>> patch.parameters
+    (array([0., 1.]), array([0., 1.]))
     """
 
     def __init__(
@@ -11474,13 +13022,31 @@ class HermitePatch:
     ) -> None: ...
     @property
     def degree(self) -> tuple[int, int]:
-        """Degrees in u and in v."""
+        """Degrees in u and in v.
+
+        Examples
+        --------
+        >>> sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0).degree
+        (2, 1)
+        """
     @property
     def domain(self) -> tuple[_Interval, _Interval]:
-        """Domains ((start, end) of u, (start, end) of v)."""
+        """Domains ((start, end) of u, (start, end) of v).
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).domain
+        ((0.0, 4.0), (0.0, 2.0))
+        """
     @property
     def is_rational(self) -> bool:
-        """True unless every weight is 1."""
+        """True unless every weight is 1.
+
+        Examples
+        --------
+        >>> sc.build.sphere((0, 0, 0), 1.0).is_rational
+        True
+        """
     @property
     def points(self) -> _Floats:
         """Points (nu, nv, 3) float64, read-only."""
@@ -11780,6 +13346,13 @@ class HermitePatch:
             Where the weight is zero, unless `at_infinity` is 'nan'.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> point, along_u, along_v = plane.first_derivatives(0.5, 0.5)
+        >>> point.tolist(), along_u.tolist(), along_v.tolist()
+        ([1.0, 0.5, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0])
         """
     def split(self, axis: _Axis, u: float) -> tuple[HermitePatch, HermitePatch]:
         """Cut the patch at a parameter of one direction.
@@ -11830,6 +13403,12 @@ class HermitePatch:
         References
         ----------
         Lecture rows S9, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> round(plane.transformed([[1, 0, 0, 5], [0, 3, 0, 0], [0, 0, 1, 0]]).area(), 9)
+        6.0
         """
     def translated(self, by: ArrayLike) -> HermitePatch:
         """Move the shape by a vector.
@@ -11848,6 +13427,11 @@ class HermitePatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> HermitePatch:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -11870,6 +13454,11 @@ class HermitePatch:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> HermitePatch:
         """Scale the shape about a point.
@@ -11890,6 +13479,11 @@ class HermitePatch:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     def reversed(self, axis: _Axis) -> HermitePatch:
         """Reverse one direction; normals are turned over.
@@ -11908,6 +13502,12 @@ class HermitePatch:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.reversed("u").evaluate(0.0, 0.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def swapped(self) -> HermitePatch:
         """Exchange u and v; normals are turned over.
@@ -11916,6 +13516,12 @@ class HermitePatch:
         -------
         HermitePatch
             The same surface.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> plane.swapped().evaluate(0.0, 1.0).tolist()
+        [2.0, 0.0, 0.0]
         """
     def to_bezier(self) -> list[list[BezierPatch]]:
         """Convert to Bezier patches, one for each pair of spans.
@@ -11943,6 +13549,11 @@ class HermitePatch:
         ------
         InvalidShape
             If it is rational, of degree above 3 or not C1 inside.
+
+        Examples
+        --------
+        >>> sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).to_hermite().tangents_u[0].tolist()
+        [[2.0, 0.0, 0.0], [2.0, 0.0, 0.0]]
         """
     def to_nurbs(self) -> NurbsPatch:
         """Convert to a bicubic NURBS patch with triple knots.
@@ -11951,6 +13562,12 @@ class HermitePatch:
         -------
         NurbsPatch
             The same patch.
+
+        Examples
+        --------
+        >>> flat = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).to_hermite()
+        >>> flat.to_nurbs().degree, flat.to_nurbs().points.shape
+        ((3, 3), (4, 4, 3))
         """
     def nearest(
         self, points: ArrayLike, *, threads: int = 0, cancel: _Cancel | None = None
@@ -12063,6 +13680,12 @@ class HermitePatch:
         References
         ----------
         Sherbrooke and Patrikalakis 1993.
+
+        Examples
+        --------
+        >>> found = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0)).stationary_points((1, 1, 2))
+        >>> found.kinds.count("minimum"), found.distances.min().round(9).item()
+        (1, 2.0)
         """
     def rays(
         self,
@@ -12233,6 +13856,12 @@ class HermitePatch:
             If the point is not finite, or where such places are a curve.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (4, 0, 0), (0, 4, 0))
+        >>> plane.nearest_all((1, 2, 3)).parameters.round(9).tolist()
+        [[0.25, 0.5]]
         """
     def rebuild(
         self,
@@ -12269,6 +13898,12 @@ class HermitePatch:
         References
         ----------
         Lecture rows S17, S20.
+
+        Examples
+        --------
+        >>> patch, error = sc.build.sphere((0, 0, 0), 1.0).rebuild((12, 9), 3)
+        >>> patch.points.shape, patch.is_rational, error < 0.05
+        ((12, 9, 3), False, True)
         """
     def fair(
         self, tolerance: float, *,
@@ -12303,6 +13938,14 @@ class HermitePatch:
         References
         ----------
         Greiner 1994; lecture row S17.
+
+        Examples
+        --------
+        >>> x, y = np.meshgrid(np.arange(5.0), np.arange(5.0), indexing="ij")
+        >>> noisy, _ = sc.fit.interpolate_patch(np.stack([x, y, 0.1 * (-1) ** (x + y)], axis=-1))
+        >>> smooth, error = noisy.fair(0.05)
+        >>> error <= 0.05, bool(np.ptp(smooth.points[1:-1, 1:-1, 2]) < np.ptp(noisy.points[1:-1, 1:-1, 2]))
+        (True, True)
         """
     def fundamental_forms(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> tuple[_Floats, _Floats]:
         """Evaluate the first and the second fundamental form at pairs of parameters, which broadcast.
@@ -12332,6 +13975,13 @@ class HermitePatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> plane = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0))
+        >>> first, second = plane.fundamental_forms(0.5, 0.5)
+        >>> first.tolist(), second.tolist()
+        ([[4.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]])
         """
     def curvatures(self, u: ArrayLike, v: ArrayLike, *, side: _Sides = "right") -> Curvatures:
         """Measure the curvatures at pairs of parameters, which broadcast.
@@ -12479,6 +14129,12 @@ class HermitePatch:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> dome = sc.build.sphere((0, 0, 0), 1.0).split("v", 1.0)[1]
+        >>> dome.surface_centroid().round(9)[2].item()
+        0.5
         """
     def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
         """Find the smallest box along the axes that contains the surface.
@@ -12614,6 +14270,14 @@ class HermitePatch:
         References
         ----------
         Lecture rows S16, S21.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> turned = b.rotated(0.5, (0, 1, 0), (1, 0, 0))
+        >>> a.continuity_to("u_end", b, "u_start").c, a.continuity_to("u_end", turned, "u_start").g
+        (2, 0)
         """
     def dragged(
         self,
@@ -12657,6 +14321,12 @@ class HermitePatch:
         ------
         InvalidShape
             If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        Examples
+        --------
+        >>> flat = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 1, 0)).to_hermite()
+        >>> flat.dragged(0.5, 0.5, (0, 0, 1)).evaluate(0.5, 0.5).round(9).tolist()
+        [1.0, 0.5, 1.0]
         """
     def dumps(self) -> str:
         """Write the shape as JSON text.
@@ -12665,6 +14335,12 @@ class HermitePatch:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -12750,13 +14426,32 @@ class PatchSet:
         """
     @property
     def points(self) -> _Floats:
-        """The pool (n, 3) float64, read-only."""
+        """The pool (n, 3) float64, read-only.
+
+        Examples
+        --------
+        >>> sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))]).points.tolist()
+        [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]
+        """
     @property
     def weights(self) -> _Floats:
-        """Weights (n,) float64 of the pool, read-only."""
+        """Weights (n,) float64 of the pool, read-only.
+
+        Examples
+        --------
+        >>> sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))]).weights
+        array([1., 1., 1., 1.])
+        """
     @property
     def patches(self) -> list[dict[str, Any]]:
-        """A dict for each patch, as the constructor takes them."""
+        """A dict for each patch, as the constructor takes them.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> ball.patches[0]["kind"], ball.patches[0]["degree"]
+        ('nurbs', (2, 2))
+        """
     def with_points(self, points: ArrayLike, weights: ArrayLike | None = None) -> PatchSet:
         """Replace the pool, keep the patches.
 
@@ -12776,6 +14471,12 @@ class PatchSet:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> round(plane.with_points(2 * plane.points).area(), 9)
+        4.0
         """
     def evaluate_grid(
         self,
@@ -12824,6 +14525,12 @@ class PatchSet:
             Where the weight is zero, unless `at_infinity` is 'nan'.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> plane.evaluate_grid([0.0, 0.5, 1.0], [0.0, 1.0]).shape
+        (1, 3, 2, 3)
         """
     def evaluate_grid_with_normals(
         self,
@@ -12872,6 +14579,13 @@ class PatchSet:
             Where the weight is zero, unless `at_infinity` is 'nan'.
         Cancelled
             If `cancel` returned true.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> points, normals = plane.evaluate_grid_with_normals([0.5], [0.5])
+        >>> points.tolist(), normals.tolist()
+        ([[[[0.5, 0.5, 0.0]]]], [[[[0.0, 0.0, 1.0]]]])
         """
     def transformed(self, matrix: ArrayLike) -> PatchSet:
         """Apply a linear, affine or projective map to all points.
@@ -12892,6 +14606,12 @@ class PatchSet:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> round(plane.transformed([[2, 0, 0], [0, 3, 0], [0, 0, 1]]).area(), 9)
+        6.0
         """
     def translated(self, by: ArrayLike) -> PatchSet:
         """Move the shape by a vector.
@@ -12910,6 +14630,11 @@ class PatchSet:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
         """
     def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> PatchSet:
         """Rotate the shape about an axis, counterclockwise as seen from its tip.
@@ -12932,6 +14657,11 @@ class PatchSet:
         ------
         InvalidShape
             If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
         """
     def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> PatchSet:
         """Scale the shape about a point.
@@ -12952,10 +14682,22 @@ class PatchSet:
         ------
         InvalidShape
             If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
         """
     @property
     def is_closed(self) -> bool:
-        """Whether no side is free: each is a pole, lies across a closed direction, or lies on another side."""
+        """Whether no side is free: each is a pole, lies across a closed direction, or lies on another side.
+
+        Examples
+        --------
+        >>> ball, tube = sc.build.sphere((0, 0, 0), 1.0), sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0)
+        >>> [sc.PatchSet.from_patches([patch]).is_closed for patch in (ball, tube)]
+        [True, False]
+        """
     def oriented(self, *, cancel: _Cancel | None = None) -> PatchSet:
         """Turn patches so that normals agree across common edges, and point outwards where the set is closed.
 
@@ -12983,6 +14725,12 @@ class PatchSet:
         References
         ----------
         Lecture row S20.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> round(ball.flipped().oriented().volume() / np.pi * 3, 9)
+        4.0
         """
     def flipped(self) -> PatchSet:
         """Turn all normals over by exchanging u and v of every patch.
@@ -12991,6 +14739,12 @@ class PatchSet:
         -------
         PatchSet
             The same surfaces.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> round(ball.flipped().volume() / np.pi * 3, 9)
+        -4.0
         """
     def least_distance(
         self, other: _Curve | _Patch | PatchSet, tolerance: float | None = None, *, cancel: _Cancel | None = None
@@ -13080,6 +14834,13 @@ class PatchSet:
         References
         ----------
         Kajiya 1982; Nishita, Sederberg and Kakimoto 1990.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> met = ball.rays((0, 0, -4), (0, 0, 1))
+        >>> met.along.round(9).tolist(), met.patches.tolist()
+        (3.0, 0)
         """
     def edge_counts(self) -> dict[str, int]:
         """Count how the sides of the patches meet.
@@ -13106,6 +14867,13 @@ class PatchSet:
         -------
         list of tuple (tuple (int, {'u_start', 'u_end', 'v_start', 'v_end'}), tuple (int, {'u_start', 'u_end', 'v_start', 'v_end'}))
             Pairs of (number of a patch, side).
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> sc.PatchSet.from_patches([a, b]).seams()
+        [((0, 'u_end'), (1, 'u_start'))]
         """
     def __len__(self) -> int: ...
     def __getitem__(self, i: SupportsIndex) -> _Patch: ...
@@ -13220,6 +14988,12 @@ class PatchSet:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> dome = sc.build.sphere((0, 0, 0), 1.0).split("v", 1.0)[1]
+        >>> dome.surface_centroid().round(9)[2].item()
+        0.5
         """
     def bounding_box(self, *, tolerance: float = 1e-12, cancel: _Cancel | None = None) -> _Floats:
         """Find the smallest box along the axes that contains the surface.
@@ -13326,6 +15100,12 @@ class PatchSet:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((1, 2, 3), 1.0)])
+        >>> ball.centroid().round(9)
+        array([1., 2., 3.])
         """
     def second_moments(self, about: ArrayLike | None = None, *, tolerance: float = 1e-12,
                        cancel: _Cancel | None = None) -> _Floats:
@@ -13362,6 +15142,13 @@ class PatchSet:
         References
         ----------
         Lecture rows S19, S20.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> inertia = np.trace(ball.second_moments()) * np.eye(3) - ball.second_moments()
+        >>> round(float(inertia[2, 2]) / ball.volume(), 9)      # 2/5 m r²
+        0.4
         """
     def dragged(
         self,
@@ -13409,6 +15196,12 @@ class PatchSet:
         ------
         InvalidShape
             If nothing that the point depends on may move, or too little to choose the derivatives.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> plane.dragged(0, 0.5, 0.5, (0, 0, 2)).evaluate_grid([0.5], [0.5]).round(9).tolist()
+        [[[[0.5, 0.5, 2.0]]]]
         """
     def dumps(self) -> str:
         """Write the shape as JSON text.
@@ -13417,6 +15210,12 @@ class PatchSet:
         -------
         str
             Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -13513,19 +15312,55 @@ class Tessellation:
         """
     @property
     def vertex_count(self) -> int:
-        """Number of vertices."""
+        """Number of vertices.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> sc.Tessellation(ball, 4).vertex_count
+        114
+        """
     @property
     def face_starts(self) -> NDArray[np.int32]:
-        """Where the corners of each face start: (f,) int32, read-only."""
+        """Where the corners of each face start: (f,) int32, read-only.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> sc.Tessellation(plane, (2, 1)).face_starts.tolist()
+        [0, 4]
+        """
     @property
     def face_patches(self) -> NDArray[np.int32]:
-        """The patch of each face: (f,) int32, read-only."""
+        """The patch of each face: (f,) int32, read-only.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> sc.Tessellation(plane, (2, 1)).face_patches.tolist()
+        [0, 0]
+        """
     @property
     def corner_vertices(self) -> NDArray[np.int32]:
-        """The vertex of each corner: (c,) int32, read-only."""
+        """The vertex of each corner: (c,) int32, read-only.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> mesh = sc.Tessellation(plane, 1)
+        >>> mesh.evaluate_positions(plane)[mesh.corner_vertices].tolist()
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
+        """
     @property
     def corner_uvs(self) -> NDArray[np.float32]:
-        """Parameters of each corner, scaled to [0, 1]: (c, 2) float32, read-only."""
+        """Parameters of each corner, scaled to [0, 1]: (c, 2) float32, read-only.
+
+        Examples
+        --------
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> sc.Tessellation(plane, 1).corner_uvs.tolist()
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+        """
     def fits(self, patch_set: PatchSet, before: PatchSet | None = None) -> bool:
         """Tell whether a set has the same patches, and the same sides lie on one another or are points.
 
@@ -13545,6 +15380,14 @@ class Tessellation:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> mesh = sc.Tessellation(ball, 4)
+        >>> plane = sc.PatchSet.from_patches([sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+        >>> mesh.fits(ball.scaled(2.0)), mesh.fits(plane)
+        (True, False)
         """
     def evaluate(self, patch_set: PatchSet) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
         """Compute positions and normals for a set with the same patches.
@@ -13567,6 +15410,14 @@ class Tessellation:
             If an argument is not valid: the message names it, the first offending index and its value.
         PointAtInfinity
             If a vertex lies at infinity.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> mesh = sc.Tessellation(ball, 4)
+        >>> positions, normals = mesh.evaluate(ball)
+        >>> bool(np.allclose(np.linalg.norm(positions, axis=1), 1)), len(normals) == len(mesh.corner_vertices)
+        (True, True)
         """
     def evaluate_positions(self, patch_set: PatchSet, *, before: PatchSet | None = None,
                            out: NDArray[np.float32] | None = None) -> NDArray[np.float32]:
@@ -13593,6 +15444,14 @@ class Tessellation:
             If an argument is not valid: the message names it, the first offending index and its value.
         PointAtInfinity
             If a vertex lies at infinity.
+
+        Examples
+        --------
+        >>> ball = sc.PatchSet.from_patches([sc.build.sphere((0, 0, 0), 1.0)])
+        >>> mesh = sc.Tessellation(ball, 4)
+        >>> larger = mesh.evaluate_positions(ball.scaled(2.0))
+        >>> bool(np.allclose(np.linalg.norm(larger, axis=1), 2))
+        True
         """
     def sharp_edges(self, normals: ArrayLike, angle: float) -> NDArray[np.int32]:
         """List the edges across which corner normals differ.
@@ -13613,6 +15472,15 @@ class Tessellation:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> floor = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> wall = sc.build.plane((0, 0, 0), (0, 1, 0), (0, 0, 1))
+        >>> corner = sc.PatchSet.from_patches([floor, wall])
+        >>> mesh = sc.Tessellation(corner, 1)
+        >>> mesh.sharp_edges(mesh.evaluate(corner)[1], angle=0.5).shape
+        (1, 2)
         """
     def __copy__(self) -> Tessellation: ...
     def __deepcopy__(self, memo: object, /) -> Tessellation: ...
@@ -13658,13 +15526,31 @@ class Formula:
     ) -> None: ...
     @property
     def text(self) -> str:
-        """The text."""
+        """The text.
+
+        Examples
+        --------
+        >>> sc.Formula("a * sin(t)", constants={"a": 2}).text
+        'a * sin(t)'
+        """
     @property
     def variables(self) -> tuple[str, ...]:
-        """Names of the variables, in the order of their values."""
+        """Names of the variables, in the order of their values.
+
+        Examples
+        --------
+        >>> sc.Formula("x^2 + y", ("x", "y")).variables
+        ('x', 'y')
+        """
     @property
     def constants(self) -> dict[str, float]:
-        """A new dict of the names and values that were given."""
+        """A new dict of the names and values that were given.
+
+        Examples
+        --------
+        >>> sc.Formula("a * sin(t)", constants={"a": 2}).constants
+        {'a': 2.0}
+        """
     def evaluate(self, *values: ArrayLike, at_undefined: _AtUndefined = "raise") -> _Floats:
         """Evaluate the expression.
 
@@ -13740,6 +15626,11 @@ class Formula:
         ------
         InvalidShape
             Where a derivative does not exist, unless `at_undefined` is 'nan'.
+
+        Examples
+        --------
+        >>> sc.Formula("x^2 + y", ("x", "y")).gradient(3.0, 1.0)
+        array([6., 1.])
         """
     def polynomial(self) -> _Floats | None:
         """Coefficients of the expression as a polynomial of its one variable.
@@ -13806,6 +15697,12 @@ def loads(text: str | bytes) -> _Value | list[_Value]:
     InvalidShape
         If the text is damaged, of another format or of a newer version, or holds an invalid shape;
         the message has the place.
+
+    Examples
+    --------
+    >>> a, b = sc.loads(sc.dumps([sc.BezierCurve([(0, 0), (1, 2)]), sc.conics.circle((0, 0, 0), 1.0)]))
+    >>> a, b.periodic
+    (BezierCurve(degree=1), False)
     """
 def nearest(
     shapes: Sequence[_Curve] | Sequence[_Patch],

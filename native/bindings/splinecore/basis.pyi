@@ -42,23 +42,58 @@ class KnotVector:
     def __init__(self, degree: SupportsIndex, knots: ArrayLike, periodic: bool = False) -> None: ...
     @property
     def degree(self) -> int:
-        """The degree."""
+        """The degree.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 0, 0, 1, 2, 2, 2]).degree
+        2
+        """
     @property
     def periodic(self) -> bool:
-        """Whether the knots are one period."""
+        """Whether the knots are one period.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 1, 2, 3, 4], periodic=True).periodic
+        True
+        """
     @property
     def count(self) -> int:
-        """Number of control points that belong to the knots."""
+        """Number of control points that belong to the knots.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 1, 2, 3, 4], periodic=True).count
+        4
+        """
     @property
     def knots(self) -> NDArray[np.float64]:
-        """The knots as given, a read-only float64 array."""
+        """The knots as given, a read-only float64 array.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(1, [0, 0, 1, 2, 2]).knots
+        array([0., 0., 1., 2., 2.])
+        """
     @property
     def domain(self) -> tuple[float, float]:
-        """First and last parameter (start, end) between which the functions add up to 1."""
+        """First and last parameter (start, end) between which the functions add up to 1.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 1, 2, 3, 4, 5]).domain
+        (2.0, 3.0)
+        """
     @property
     def greville(self) -> NDArray[np.float64]:
         """Greville abscissae (count,): for each control point the mean of the `degree` knots that decide it; of
         periodic knots they may begin before the domain.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 0, 0, 1, 2, 2, 2]).greville
+        array([0. , 0.5, 1.5, 2. ])
         """
     def span(self, u: ArrayLike, *, side: Literal["left", "right"] = "right") -> NDArray[np.int64]:
         """Find the span of each parameter.
@@ -139,6 +174,11 @@ class KnotVector:
         References
         ----------
         Cox 1972, de Boor 1972; lecture row S14.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(1, [0, 0, 1, 2, 2]).function(1, [0.5, 1.0, 1.5, 9.0])
+        array([0.5, 1. , 0.5, 0. ])
         """
     def function_derivatives(self, i: SupportsIndex, u: ArrayLike, order: SupportsIndex) -> _Floats:
         """Evaluate one basis function and its derivatives on the whole line.
@@ -167,6 +207,11 @@ class KnotVector:
         References
         ----------
         The NURBS Book, eq. 2.10; lecture row S14.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 0, 0, 1, 1, 1]).function_derivatives(1, 0.25, 2)      # 2u(1 - u)
+        array([ 0.375,  1.   , -4.   ])
         """
     def triangle(self, u: float) -> list[tuple[NDArray[np.int64], _Floats, _Floats, _Floats]]:
         """All rows of the triangular scheme for the basis functions at a parameter.
@@ -193,10 +238,24 @@ class KnotVector:
         References
         ----------
         Lecture row S14.
+
+        Examples
+        --------
+        >>> for indices, values, rising, falling in sc.basis.KnotVector(2, [0, 0, 0, 1, 1, 1]).triangle(0.5):
+        ...     print(indices.tolist(), values.tolist())
+        [2] [1.0]
+        [1, 2] [0.5, 0.5]
+        [0, 1, 2] [0.25, 0.5, 0.25]
         """
     @property
     def spans(self) -> NDArray[np.int32]:
-        """Index of each span of positive length (m,), as `span` gives it."""
+        """Index of each span of positive length (m,), as `span` gives it.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 0, 0, 1, 1, 2, 2, 2]).spans
+        array([2, 4], dtype=int32)
+        """
     def support(self, i: SupportsIndex) -> tuple[float, float]:
         """Find the smallest interval outside which a basis function is zero.
 
@@ -237,6 +296,11 @@ class KnotVector:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.basis.KnotVector(2, [0, 0, 0, 1, 2, 2, 2]).multiplicity(0.0)
+        3
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -280,7 +344,14 @@ class Samples:
     ) -> None: ...
     @property
     def first(self) -> NDArray[np.int64]:
-        """The first control point (m,) int64 that each sample depends on."""
+        """The first control point (m,) int64 that each sample depends on.
+
+        Examples
+        --------
+        >>> knots = sc.basis.KnotVector(1, [0, 0, 1, 2, 2])
+        >>> sc.basis.Samples(knots, [0.5, 1.5]).first
+        array([0, 1])
+        """
     def weights(self, order: SupportsIndex = 0) -> NDArray[np.float64]:
         """Give the weights of control points first, first + 1, … modulo their count.
 
@@ -298,6 +369,12 @@ class Samples:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> knots = sc.basis.KnotVector(1, [0, 0, 1, 2, 2])
+        >>> sc.basis.Samples(knots, [0.25, 1.5]).weights().tolist()
+        [[0.75, 0.25], [0.5, 0.5]]
         """
     def apply(self, values: ArrayLike, order: SupportsIndex = 0) -> NDArray[np.float64]:
         """Sum rows with the weights of each sample.
@@ -318,6 +395,12 @@ class Samples:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> knots = sc.basis.KnotVector(1, [0, 0, 1, 2, 2])
+        >>> sc.basis.Samples(knots, [0.5, 1.5], 1).apply([10.0, 20.0, 40.0], 1)
+        array([10., 20.])
         """
     def __len__(self) -> int: ...
     def __copy__(self) -> Samples: ...
@@ -344,6 +427,11 @@ def uniform_matrix(degree: SupportsIndex) -> _Floats:
     References
     ----------
     Lecture row S13.
+
+    Examples
+    --------
+    >>> (6 * sc.basis.uniform_matrix(3)).round(9)[-1].tolist()
+    [1.0, 4.0, 1.0, 0.0]
     """
 def uniform_to_bezier(degree: SupportsIndex) -> _Floats:
     """Matrix that converts a uniform B-spline segment: matrix @ points are its Bezier points.
@@ -366,6 +454,11 @@ def uniform_to_bezier(degree: SupportsIndex) -> _Floats:
     References
     ----------
     Lecture row S13.
+
+    Examples
+    --------
+    >>> sc.basis.uniform_to_bezier(2).tolist()
+    [[0.5, 0.5, 0.0], [0.0, 1.0, 0.0], [0.0, 0.5, 0.5]]
     """
 def bezier_matrix(degree: SupportsIndex) -> _Floats:
     """Matrix of Bernstein polynomials: [t^degree … t 1] @ matrix @ points is the Bezier curve.
@@ -405,4 +498,9 @@ def hermite_matrix() -> _Floats:
     References
     ----------
     Lecture row S4.
+
+    Examples
+    --------
+    >>> sc.basis.hermite_matrix()[0].tolist()
+    [2.0, 1.0, -2.0, 1.0]
     """

@@ -48,7 +48,7 @@ class _Words:
 
 
 def loads(text, flip=False):
-    """Read Bezier patches from BPT text.
+    r"""Read Bezier patches from BPT text.
 
     Parameters
     ----------
@@ -66,6 +66,12 @@ def loads(text, flip=False):
     ------
     InvalidShape
         If the text is not BPT or ends early; the message has the line.
+
+    Examples
+    --------
+    >>> patches = sc.bpt.loads("1\n1 1\n0 0 0  0 1 0  1 0 0  1 1 0")
+    >>> len(patches), patches[0].degree
+    (1, (1, 1))
     """
     words = _Words(text)
     count = words.take(int, "the count of patches")

@@ -3,7 +3,7 @@ from . import BezierPatch, HermitePatch, NurbsPatch, PatchSet
 LIMIT: int
 
 def loads(text: str, flip: bool = False) -> PatchSet:
-    """Read Bezier patches from BPT text.
+    r"""Read Bezier patches from BPT text.
 
     Parameters
     ----------
@@ -21,6 +21,12 @@ def loads(text: str, flip: bool = False) -> PatchSet:
     ------
     InvalidShape
         If the text is not BPT or ends early; the message has the line.
+
+    Examples
+    --------
+    >>> patches = sc.bpt.loads("1\n1 1\n0 0 0  0 1 0  1 0 0  1 1 0")
+    >>> len(patches), patches[0].degree
+    (1, (1, 1))
     """
 def dumps(value: NurbsPatch | BezierPatch | HermitePatch | PatchSet) -> str:
     """Write patches as BPT text.

@@ -145,6 +145,12 @@ def osculating_polynomial(data: Sequence[ArrayLike], parameters: ArrayLike) -> N
     References
     ----------
     Lecture row S3.
+
+    Examples
+    --------
+    >>> curve = sc.build.osculating_polynomial([[(0, 0), (1, 0)], [(1, 1), (1, 0)]], [0, 1])
+    >>> curve.degree, curve.derivatives(1.0, 1).round(9)[:, :2].tolist()
+    (3, [[1.0, 1.0], [1.0, 0.0]])
     """
 def lagrange_evaluate(
     points: ArrayLike, u: ArrayLike, parameters: ArrayLike | None = None
@@ -175,6 +181,11 @@ def lagrange_evaluate(
     References
     ----------
     Berrut and Trefethen 2004; lecture row S3.
+
+    Examples
+    --------
+    >>> sc.build.lagrange_evaluate([(0, 0), (1, 1), (2, 0)], [0.25, 0.5]).round(9).tolist()
+    [[0.5, 0.75, 0.0], [1.0, 1.0, 0.0]]
     """
 def catmull_rom(
     points: ArrayLike,
@@ -263,6 +274,13 @@ def kochanek_bartels(
     References
     ----------
     Kochanek and Bartels 1984; lecture row S5.
+
+    Examples
+    --------
+    >>> points = [(0, 0), (1, 1), (2, 0), (3, 1)]
+    >>> tight = sc.build.kochanek_bartels(points, tension=1.0)
+    >>> tight.evaluate(1.0).tolist(), tight.derivatives(1.0, 1)[1].tolist()
+    ([1.0, 1.0, 0.0], [0.0, 0.0, 0.0])
     """
 def chain_from_polygon(points: ArrayLike, parameters: ArrayLike | None = None) -> list[BezierCurve]:
     """Convert the control polygon of a cubic B-spline with fourfold ends to Bezier curves.
@@ -287,6 +305,12 @@ def chain_from_polygon(points: ArrayLike, parameters: ArrayLike | None = None) -
     References
     ----------
     Lecture row S8.
+
+    Examples
+    --------
+    >>> chain = sc.build.chain_from_polygon([(0, 0), (1, 2), (3, 2), (4, 0), (6, 0)])
+    >>> len(chain), chain[0].evaluate(1.0).tolist() == chain[1].evaluate(0.0).tolist()
+    (2, True)
     """
 def polygon_of_chain(
     chain: Sequence[BezierCurve], lengths: ArrayLike | None = None, tolerance: float | None = None
@@ -315,6 +339,12 @@ def polygon_of_chain(
     References
     ----------
     Lecture row S8.
+
+    Examples
+    --------
+    >>> polygon = [(0, 0, 0), (1, 2, 0), (3, 2, 0), (4, 0, 0), (6, 0, 0)]
+    >>> bool(np.allclose(sc.build.polygon_of_chain(sc.build.chain_from_polygon(polygon)), polygon))
+    True
     """
 def joint_equations(
     first: ArrayLike,
@@ -648,6 +678,13 @@ def chamfered(
         If the curves do not meet, both lengths are 0, or a curve is too short.
     Cancelled
         If `cancel` returned true.
+
+    Examples
+    --------
+    >>> a, b = sc.BezierCurve([(0, 0), (4, 0)]), sc.BezierCurve([(4, 0), (4, 4)])
+    >>> _, line, _ = sc.build.chamfered(a, b, (1, 2), (0.0, 1.0))
+    >>> line.evaluate(0.0).round(9).tolist(), line.evaluate(1.0).round(9).tolist()
+    ([3.0, 0.0, 0.0], [4.0, 2.0, 0.0])
     """
 def contour(
     points: ArrayLike, bulges: ArrayLike | None = None, closed: bool = False, normal: ArrayLike = (0, 0, 1)
@@ -817,6 +854,12 @@ def join_curves(curves: Sequence[_Curve], tolerance: float) -> list[NurbsCurve]:
     ------
     InvalidShape
         If there is no curve, or the tolerance is below 0.
+
+    Examples
+    --------
+    >>> curves = [sc.BezierCurve(ends) for ends in ([(0, 0), (1, 0)], [(1, 1), (1, 0)], [(5, 5), (6, 5)])]
+    >>> [round(curve.length(), 9) for curve in sc.build.join_curves(curves, 1e-6)]
+    [2.0, 1.0]
     """
 def touching_circle(
     a: _Curve, b: _Curve, c: _Curve, parameters: ArrayLike, normal: ArrayLike = (0, 0, 1)
@@ -849,6 +892,13 @@ def touching_circle(
     References
     ----------
     Lecture row S18.
+
+    Examples
+    --------
+    >>> lines = [sc.BezierCurve(ends) for ends in ([(0, 0), (3, 0)], [(3, 0), (0, 4)], [(0, 4), (0, 0)])]
+    >>> arc, center, radius, _ = sc.build.touching_circle(*lines, (0.3, 0.5, 0.7))
+    >>> center.round(9).tolist(), round(radius, 9)
+    ([1.0, 1.0, 0.0], 1.0)
     """
 def c2_pair(
     q0: ArrayLike,
@@ -891,6 +941,12 @@ def c2_pair(
     References
     ----------
     Lecture row S7.
+
+    Examples
+    --------
+    >>> first, second = sc.build.c2_pair((0, 0), (0, 1), (1, 2), (2, 1), (2, 0))
+    >>> first.continuity_to(second).c
+    3
     """
 def curve_from_formulas(
     formulas: Sequence[str | Formula],
@@ -1157,6 +1213,11 @@ def disc(
     References
     ----------
     Lecture row S20.
+
+    Examples
+    --------
+    >>> round(sc.build.disc((0, 0, 0), (0, 0, 1), 2.0).area() / np.pi, 9)
+    4.0
     """
 def sphere(
     center: ArrayLike,
@@ -1366,6 +1427,13 @@ def fillets(
     References
     ----------
     Lecture row S18.
+
+    Examples
+    --------
+    >>> a, b = sc.BezierCurve([(-4, 0), (4, 0)]), sc.BezierCurve([(0, -4), (0, 4)])
+    >>> found = sc.build.fillets(a, b, 1.0)
+    >>> len(found), round(found[0][0].length() / np.pi, 9)
+    (4, 0.5)
     """
 def ruled(a: _Curve, b: _Curve) -> NurbsPatch:
     """Connect two curves by segments.
@@ -1524,6 +1592,12 @@ def corner_counts(sections: Sequence[_Curve | ArrayLike], *, align: bool = True)
     ------
     InvalidShape
         If an argument is not valid: the message names it, the first offending index and its value.
+
+    Examples
+    --------
+    >>> square = sc.build.contour([(0, 0), (2, 0), (2, 2), (0, 2)], closed=True)
+    >>> sc.build.corner_counts([square, sc.conics.circle((1, 1, 3), 1.0)])
+    [4, 0]
     """
 def blend_patches(
     a: _Patch,
@@ -1824,6 +1898,14 @@ def sweep_two_rails(
     References
     ----------
     Lecture row S20.
+
+    Examples
+    --------
+    >>> rails = [sc.BezierCurve([(0, y, 0), (4, y, 0)]) for y in (0, 2)]
+    >>> section = sc.BezierCurve([(0, 0, 0), (1, 1, 0), (2, 0, 0)])
+    >>> surface, error = sc.build.sweep_two_rails(*rails, section)
+    >>> surface.evaluate(0.0, 0.5).round(9).tolist(), surface.evaluate(1.0, 0.5).round(9).tolist()
+    ([2.0, 0.0, 0.0], [2.0, 2.0, 0.0])
     """
 def pipe(
     axis: _Curve,
@@ -2172,6 +2254,14 @@ def match_patch(
     References
     ----------
     Farin 2002; lecture row S21.
+
+    Examples
+    --------
+    >>> floor = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> wall = sc.build.plane((1, 0, 0), (0, 0, 1), (0, 1, 0)).elevate("u", 2)
+    >>> matched, moved = sc.build.match_patch(wall, "u_start", floor, "u_end", "G1", rows=2)
+    >>> matched.continuity_to("u_start", floor, "u_end").g
+    1
     """
 def fill(
     sides: Sequence[_Curve | tuple[_Patch, _Border, Literal["G0", "G1", "G2"]]],
@@ -2420,6 +2510,15 @@ def fillet_chain(
         If the tolerance is not reached.
     Cancelled
         If `cancel` returned true.
+
+    Examples
+    --------
+    >>> floor = sc.build.plane((0, 0, 0), (2, 0, 0), (0, 3, 0))
+    >>> wall = sc.build.plane((0, 0, 0), (0, 3, 0), (0, 0, 2))
+    >>> edges = [(a, "u_start", b, "v_start") for a, b in zip(floor.split("v", 0.5), wall.split("u", 0.5))]
+    >>> rounded = sc.build.fillet_chain(edges, 0.5)
+    >>> round(sum(edge.fillet.area() for edge in rounded), 6), round(0.75 * np.pi, 6)
+    (2.356194, 2.356194)
     """
 def catmull_clark(
     points: ArrayLike, faces: Sequence[Sequence[SupportsIndex]], *, cancel: Callable[[], object] | None = None

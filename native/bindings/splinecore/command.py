@@ -23,10 +23,14 @@ from . import (
     dumps,
     loads,
     meshes,
+    nearest,
 )
 
 PATCHES = (NurbsPatch, BezierPatch, HermitePatch)
 SURFACES = (PatchSet, *PATCHES)
+PLACES = {"files": "files to read: .json or .bpt", "input": "the file to read: .json or .bpt",
+          "output": "the file to write; its ending decides the format", "a": "a .json or .bpt file", "b": "the file to compare it with"}
+ENDINGS = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl", ".glb")}
 
 
 class Refused(Exception):
@@ -73,7 +77,7 @@ def write(path, data):
 
 
 def info(args):
-    """What files hold."""
+    """Tell what files hold."""
     progress, code = Progress(len(args.files), args.progress), 0
     for path in args.files:
         try:
@@ -83,10 +87,15 @@ def info(args):
             values, code = None, 2
         progress.step()
         if values is not None:
-            print(f"{path}: {len(values)} {'shape' if len(values) == 1 else 'shapes'}")
+            print(f"{path}: {shapes(len(values))}")
             for i, value in enumerate(values):
                 print(f"  {i}: {describe(value)}")
     return code
+
+
+def shapes(count):
+    """A number of shapes in words."""
+    return f"{count} {'shape' if count == 1 else 'shapes'}"
 
 
 def describe(value):
@@ -107,14 +116,31 @@ def describe(value):
     try:
         low, high = value.bounding_box()
         facts.append(f"from ({', '.join(f'{x:.6g}' for x in low)}) to ({', '.join(f'{x:.6g}' for x in high)})")
-        facts.append(f"area {value.area(tolerance=1e-6):.6g}" if isinstance(value, SURFACES) else f"length {value.length():.9g}")
+        facts += extent_of_surface(value) if isinstance(value, SURFACES) else extent_of_curve(value)
     except Error as error:
         facts.append(str(error))
     return f"{kind}: {'; '.join(facts)}"
 
 
+def extent_of_curve(curve):
+    """The length, and whether the curve is closed."""
+    return [f"length {curve.length():.9g}", "closed" if curve.is_closed else "open"]
+
+
+def extent_of_surface(surface):
+    """The area, whether the surface is closed, and the volume then."""
+    patches = surface if isinstance(surface, PatchSet) else PatchSet.from_patches([surface])
+    area = f"area {patches.area(tolerance=1e-6):.6g}"
+    if not patches.is_closed:
+        return [area, "open"]
+    try:
+        return [area, "closed", f"volume {patches.volume(tolerance=1e-6):.6g}"]
+    except Error as error:
+        return [area, "closed", f"no volume: {error}"]
+
+
 def convert(args):
-    """JSON and BPT, and kinds of shapes."""
+    """Convert between JSON and BPT, and between kinds of shapes."""
     values = read(args.input)
     progress = Progress(len(values), args.progress)
     made = []
@@ -162,7 +188,7 @@ def one_set(values):
 
 
 def tessellate(args):
-    """Meshes of surfaces, polylines of curves."""
+    """Write meshes of surfaces and polylines of curves."""
     values = read(args.input)
     progress = Progress(len(values), args.progress)
     require_fineness(args)
@@ -198,10 +224,12 @@ def mesh_of(value, args):
 
 
 def compare(args):
-    """Whether two files hold the same shapes."""
+    """Tell whether two files hold the same shapes."""
     a, b = read(args.a), read(args.b)
+    if args.geometry:
+        return compare_places(a, b, args)
     if len(a) != len(b):
-        print(f"{args.a} holds {len(a)} shapes, {args.b} {len(b)}")
+        print(f"{args.a} holds {shapes(len(a))}, {args.b} {len(b)}")
         return 1
     progress = Progress(len(a), args.progress)
     differ = False
@@ -213,6 +241,38 @@ def compare(args):
             print(f"{i}: {line}")
     print("different" if differ else "the same")
     return 1 if differ else 0
+
+
+def compare_places(a, b, args):
+    """Whether all shapes of two files lie in the same places, however they are cut into pieces."""
+    progress = Progress(2, args.progress)
+    apart = []
+    for kind, is_surface in (("curves", False), ("surfaces", True)):
+        parts = [[part for value in values if isinstance(value, SURFACES) == is_surface for part in patches_of(value)]
+                 for values in (a, b)]
+        progress.step()
+        if all(parts):
+            apart.append(max(farthest(*parts), farthest(*reversed(parts))))
+            print(f"{kind}: up to {apart[-1]:.6g} apart at sampled points")
+        elif any(parts):
+            apart.append(float("inf"))
+            print(f"{args.a if parts[0] else args.b} alone holds {kind}")
+    same = max(apart, default=0.0) <= args.tolerance
+    print("the same" if same else "different")
+    return 0 if same else 1
+
+
+def farthest(shapes, others):
+    """The largest distance of sampled points of curves, or of patches, from others."""
+    points = np.concatenate([sampled(value, 64 if isinstance(value, PATCHES) else 1024) for value in shapes])
+    return float(nearest(others, points[np.isfinite(points).all(axis=-1)]).distances.max())
+
+
+def sampled(value, count):
+    """Points (n, 3) at even parameters, NaN at infinity."""
+    if isinstance(value, PATCHES):
+        return value.evaluate_grid(*[np.linspace(*domain, count + 1) for domain in value.domain], at_infinity="nan").reshape(-1, 3)
+    return value.evaluate(np.linspace(*value.domain, count + 1), at_infinity="nan")
 
 
 def difference(a, b, tolerance):
@@ -233,11 +293,7 @@ def difference(a, b, tolerance):
 
 def distance_of(a, b, count=64):
     """The largest distance of points at the same parts of the parameters, of curves or of patches."""
-    if isinstance(a, PATCHES):
-        points = [value.evaluate_grid(*[np.linspace(*domain, count + 1) for domain in value.domain], at_infinity="nan")
-                  for value in (a, b)]
-    else:
-        points = [value.evaluate(np.linspace(*value.domain, count**2 + 1), at_infinity="nan") for value in (a, b)]
+    points = [sampled(value, count if isinstance(value, PATCHES) else count**2) for value in (a, b)]
     return float(np.nanmax(np.linalg.norm(points[0] - points[1], axis=-1)))
 
 
@@ -251,27 +307,32 @@ def parser():
     def verb(call, *names):
         added = verbs.add_parser(call.__name__, help=call.__doc__, description=call.__doc__)
         for name in names:
-            added.add_argument(name, nargs="+" if name == "files" else None)
+            added.add_argument(name, nargs="+" if name == "files" else None, metavar=name.upper(), help=PLACES[name])
         added.add_argument("--progress", action=argparse.BooleanOptionalAction,
-                           help="say how far it is on the error output; else where that is a terminal")
+                           help="show progress on the error output; by default where that is a terminal")
         added.set_defaults(call=call)
         return added
 
     verb(info, "files")
-    verb(convert, "input", "output").add_argument("--to", choices=("nurbs", "bezier"), help="the kind of shapes; else as read")
+    verb(convert, "input", "output").add_argument("--to", choices=("nurbs", "bezier"), help="the kind of shapes to write; by default as they are")
     meshing = verb(tessellate, "input", "output")
-    meshing.add_argument("--resolution", type=int, help="parts of each span: 8 of surfaces, 32 of curves where not given")
-    meshing.add_argument("--tolerance", type=float, help="how far the mesh may be from the surface")
-    meshing.add_argument("--angle", type=float, help="how far normals of neighbors may turn, in degrees")
-    verb(compare, "a", "b").add_argument("--tolerance", type=float, default=0.0, help="distance that counts as none")
+    meshing.add_argument("--resolution", type=int, help="parts of each span; by default 8 of surfaces, 32 of curves")
+    meshing.add_argument("--tolerance", type=float, help="the largest distance of the mesh from the surface")
+    meshing.add_argument("--angle", type=float, help="the largest angle of normals on one face, in degrees")
+    comparing = verb(compare, "a", "b")
+    comparing.add_argument("--tolerance", type=float, default=0.0, help="the largest distance that counts as the same; by default 0")
+    comparing.add_argument("--geometry", action="store_true",
+                           help="compare places alone, whatever the order, kinds, pieces and parameters of the shapes")
     return made
 
 
 def require_endings(args):
     """Raises Refused for files of a kind that is not read or written."""
-    known = {"convert": (".json", ".bpt"), "tessellate": (".obj", ".ply", ".stl", ".glb")}.get(args.verb, ())
-    if known and Path(args.output).suffix.lower() not in known:
-        raise Refused(f"{args.output}: {', '.join(known)} can be written")
+    ending = Path(getattr(args, "output", "")).suffix.lower()
+    known = ENDINGS.get(args.verb, ())
+    if known and ending not in known:
+        other = [verb for verb, endings in ENDINGS.items() if ending in endings]
+        raise Refused(f"{args.output}: {', '.join(known)} can be written" + "".join(f"; {verb} writes {ending}" for verb in other))
 
 
 def main(arguments=None):

@@ -93,40 +93,97 @@ class ImplicitConic:
     ) -> None: ...
     @property
     def coefficients(self) -> _Floats:
-        """Coefficients (6,) float64, as given, read-only."""
+        """Coefficients (6,) float64, as given, read-only.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]).coefficients
+        array([ 1.,  0.,  4.,  0.,  0., -4.])
+        """
     @property
     def origin(self) -> _Floats:
-        """Origin (3,) of the plane."""
+        """Origin (3,) of the plane.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]).origin
+        array([0., 0., 0.])
+        """
     @property
     def x_axis(self) -> _Floats:
-        """First axis (3,) of the plane."""
+        """First axis (3,) of the plane.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]).x_axis
+        array([1., 0., 0.])
+        """
     @property
     def y_axis(self) -> _Floats:
-        """Second axis (3,) of the plane."""
+        """Second axis (3,) of the plane.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]).y_axis
+        array([0., 1., 0.])
+        """
     @property
     def type(self) -> _Type:
         """'circle', 'ellipse', 'parabola', 'hyperbola', 'crossing_lines', 'parallel_lines', 'line', 'point' or
         'empty'.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([0, 1, 0, 0, 0, -1]).type      # x y = 1
+        'hyperbola'
         """
     @property
     def center(self) -> _Floats | None:
-        """The center (3,), the vertex of a parabola, or a point of a line; None where the conic is empty."""
+        """The center (3,), the vertex of a parabola, or a point of a line; None where the conic is empty.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 1, -2, 0, 0]).center      # (x - 1)² + y² = 1
+        array([1., 0., 0.])
+        """
     @property
     def half_lengths(self) -> tuple[float, float]:
         """Half lengths (along, across) of the axes; (focal length, 0) of a parabola; (0, half the distance) of
         parallel lines.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]).half_lengths
+        (2.0, 1.0)
         """
     @property
     def axes(self) -> tuple[_Floats, _Floats]:
         """Unit vectors along the major or transverse axis, or to the focus of a parabola, or along a line; and
         across.
+
+        Examples
+        --------
+        >>> sc.conics.ImplicitConic([4, 0, 1, 0, 0, -4]).axes[0]      # longer along y
+        array([0., 1., 0.])
         """
     @property
     def foci(self) -> list[_Floats]:
-        """The foci (3,): two, one of a circle or a parabola, none where the conic is degenerate."""
+        """The foci (3,): two, one of a circle or a parabola, none where the conic is degenerate.
+
+        Examples
+        --------
+        >>> [focus.round(9).tolist() for focus in sc.conics.ImplicitConic([9, 0, 25, 0, 0, -225]).foci]
+        [[-4.0, 0.0, 0.0], [4.0, 0.0, 0.0]]
+        """
     @property
     def eccentricity(self) -> float | None:
-        """The eccentricity, 0 of a circle, 1 of a parabola; None where the conic is degenerate."""
+        """The eccentricity, 0 of a circle, 1 of a parabola; None where the conic is degenerate.
+
+        Examples
+        --------
+        >>> round(sc.conics.ImplicitConic([9, 0, 25, 0, 0, -225]).eccentricity, 9)
+        0.8
+        """
     def arc(self, start: float, end: float) -> NurbsCurve:
         """Cut out the part between two parameters.
 
@@ -149,6 +206,12 @@ class ImplicitConic:
         ------
         InvalidShape
             If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> circle = sc.conics.ImplicitConic([1, 0, 1, 0, 0, -1])
+        >>> round(circle.arc(0.0, np.pi / 2).length() / np.pi, 9)
+        0.5
         """
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -230,6 +293,12 @@ def arc_about(
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> arc = sc.conics.arc_about((0, 0, 0), (2, 0, 0), (0, 5, 0))
+    >>> round(arc.length() / np.pi, 9)
+    1.0
     """
 def arc_from_tangent(start: ArrayLike, tangent: ArrayLike, end: ArrayLike) -> NurbsCurve:
     """Make the arc of a circle from a point in a direction to another point.
@@ -256,6 +325,12 @@ def arc_from_tangent(start: ArrayLike, tangent: ArrayLike, end: ArrayLike) -> Nu
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> arc = sc.conics.arc_from_tangent((1, 0, 0), (0, 1, 0), (-1, 0, 0))
+    >>> round(arc.length() / np.pi, 9)
+    1.0
     """
 def arc_through(start: ArrayLike, through: ArrayLike, end: ArrayLike) -> NurbsCurve:
     """Make the arc of a circle through three points.
@@ -314,6 +389,13 @@ def as_hermite(curve: BezierCurve | NurbsCurve, tolerance: float) -> Approximati
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> arc = sc.conics.arc((0, 0, 0), (1, 0, 0), (0, 1, 0), 0.0, np.pi / 2)
+    >>> chain, error = sc.conics.as_hermite(arc, 1e-4)
+    >>> chain.degree, error <= 1e-4
+    (3, True)
     """
 def by_foci(
     focus_1: ArrayLike, focus_2: ArrayLike, distance: float, normal: ArrayLike = (0, 0, 1)
@@ -441,6 +523,12 @@ def conic_arc(p0: ArrayLike, p1: ArrayLike, p2: ArrayLike, w1: float) -> BezierC
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> arc = sc.conics.conic_arc((1, 0, 0), (1, 1, 0), (0, 1, 0), 0.5**0.5)
+    >>> sc.conics.class_of(arc), round(arc.length() / np.pi, 9)
+    ('shorter_ellipse_arc', 0.5)
     """
 def ellipse(center: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike, form: _Form = "square") -> NurbsCurve:
     """Make an ellipse from any two conjugate half axes.
@@ -499,6 +587,12 @@ def from_implicit(conic: ImplicitConic) -> list[NurbsCurve]:
     References
     ----------
     Lecture row S1.
+
+    Examples
+    --------
+    >>> ellipse, = sc.conics.from_implicit(sc.conics.ImplicitConic([1, 0, 4, 0, 0, -4]))
+    >>> round(abs(ellipse.signed_area()) / np.pi, 9)
+    2.0
     """
 def hyperbola(center: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> list[NurbsCurve]:
     """Make both branches of a hyperbola from any two conjugate half axes.
@@ -525,6 +619,12 @@ def hyperbola(center: ArrayLike, axis_a: ArrayLike, axis_b: ArrayLike) -> list[N
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> right, left = sc.conics.hyperbola((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    >>> right.evaluate(0.5).round(9).tolist()
+    [1.0, 0.0, 0.0]
     """
 def implicit(curve: BezierCurve | NurbsCurve) -> ImplicitConic:
     """Find the conic on which a curve lies.
@@ -582,6 +682,11 @@ def parabola(focus: ArrayLike, directrix_point: ArrayLike, directrix_direction: 
     References
     ----------
     Lecture row S10.
+
+    Examples
+    --------
+    >>> sc.conics.parabola((0, 1, 0), (0, -1, 0), (1, 0, 0)).type
+    'parabola'
     """
 def through_points(points: ArrayLike, tolerance: float | None = None) -> ImplicitConic:
     """Make the conic through five points of a plane.

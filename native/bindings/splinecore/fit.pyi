@@ -329,6 +329,14 @@ def approximate_patch(
     References
     ----------
     The NURBS Book, 9.4.3; lecture rows S17, S20.
+
+    Examples
+    --------
+    >>> x, y = np.meshgrid(np.linspace(0, 1, 20), np.linspace(0, 1, 30), indexing="ij")
+    >>> grid = np.stack([x, y, x**2 * y], axis=-1)
+    >>> patch, error = sc.fit.approximate_patch(grid, (4, 4), parameters="uniform")
+    >>> patch.points.shape, error < 1e-9
+    ((4, 4, 3), True)
     """
 def approximate_scattered(
     points: ArrayLike,
@@ -389,4 +397,11 @@ def approximate_scattered(
     References
     ----------
     Hoschek 1988; Ma and Kruth 1995; lecture rows S17, S20.
+
+    Examples
+    --------
+    >>> x, y = np.random.default_rng(1).random((2, 200))
+    >>> patch, error = sc.fit.approximate_scattered(np.stack([x, y, x * y], axis=-1), 4)
+    >>> patch.points.shape, error < 1e-3
+    ((4, 4, 3), True)
     """

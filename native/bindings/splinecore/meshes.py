@@ -79,6 +79,16 @@ def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
     ------
     InvalidShape
         If the ending is another one, a curve is to be written to STL, or resolution is given beside tolerance or angle.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "ball.stl"
+    ...     sc.meshes.save(path, sc.build.sphere((0, 0, 0), 1.0), tolerance=0.01)
+    ...     path.stat().st_size > 1000
+    True
     """
     path = Path(path)
     ending = path.suffix.lower()
@@ -151,6 +161,12 @@ def ply(meshes, lines=()):
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> sc.meshes.ply([mesh]).startswith(b"ply")
+    True
     """
     return _mesh_file(".ply", meshes, lines)
 
@@ -173,6 +189,12 @@ def stl(meshes):
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> len(sc.meshes.stl([mesh])) == 84 + 2 * 50      # a head, and two triangles
+    True
     """
     return _mesh_file(".stl", meshes, ())
 
@@ -200,5 +222,11 @@ def glb(meshes, lines=()):
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> sc.meshes.glb([mesh])[:4]
+    b'glTF'
     """
     return _mesh_file(".glb", meshes, lines)

@@ -69,6 +69,16 @@ def save(path: str | PathLike[str], shapes: _Shape | Sequence[_Shape], *, resolu
     ------
     InvalidShape
         If the ending is another one, a curve is to be written to STL, or resolution is given beside tolerance or angle.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "ball.stl"
+    ...     sc.meshes.save(path, sc.build.sphere((0, 0, 0), 1.0), tolerance=0.01)
+    ...     path.stat().st_size > 1000
+    True
     """
 def obj(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     """Write meshes and lines as an OBJ file.
@@ -117,6 +127,12 @@ def ply(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> sc.meshes.ply([mesh]).startswith(b"ply")
+    True
     """
 def stl(meshes: Sequence[_Mesh]) -> bytes:
     """Write meshes as a binary STL file: faces as fans of triangles.
@@ -136,6 +152,12 @@ def stl(meshes: Sequence[_Mesh]) -> bytes:
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> len(sc.meshes.stl([mesh])) == 84 + 2 * 50      # a head, and two triangles
+    True
     """
 def glb(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     """Write meshes and lines as a binary glTF 2.0 file.
@@ -160,4 +182,10 @@ def glb(meshes: Sequence[_Mesh], lines: Sequence[_Line] = ()) -> bytes:
     ------
     InvalidShape
         If arrays do not fit each other, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> mesh = sc.meshes.mesh(sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), resolution=1)
+    >>> sc.meshes.glb([mesh])[:4]
+    b'glTF'
     """

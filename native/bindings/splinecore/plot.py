@@ -47,8 +47,17 @@ def _set_equal(axes):
     if _is_solid(axes):
         sides = np.ptp([axes.get_xlim(), axes.get_ylim(), axes.get_zlim()], axis=1)
         axes.set_box_aspect(np.maximum(sides, 0.02 * sides.max()))
+        _thin_out_ticks(axes, sides / sides.max())
     else:
         axes.set_aspect("equal")
+
+
+def _thin_out_ticks(axes, parts):
+    """A short axis has few numbers, which would lie on each other; ticks that a caller placed stay."""
+    from matplotlib.ticker import AutoLocator
+    for axis, part in zip((axes.xaxis, axes.yaxis, axes.zaxis), parts):
+        if isinstance(axis.get_major_locator(), AutoLocator):
+            axis.get_major_locator().set_params(nbins=max(2, round(8 * part)))
 
 
 def _apart(rows):
@@ -239,7 +248,7 @@ def basis_functions(knots, axes=None, **style):
     for i in range(knots.count):
         rows = [np.stack([u[:-1], knots.function(i, u[:-1])], axis=1) for u in spans]
         axes.plot(*np.concatenate([*rows, [[end, knots.function(i, end)]]]).T, **style)
-    axes.plot(places, np.zeros_like(places), color="black", linestyle="", marker="|", markersize=8, clip_on=False)
+    axes.plot(places, np.zeros_like(places), color=axes.spines["bottom"].get_edgecolor(), linestyle="", marker="|", markersize=8, clip_on=False)
     return axes
 
 
