@@ -53,7 +53,7 @@ def _draw_labels(context, ob, labels, taken):
         if is_free and 0 <= x < region.width and 0 <= y < region.height:
             blf.color(0, *colors.get(label.part, _COLOR))
             _draw_label(label, x + _OFFSET[0] * scale, y + _OFFSET[1] * scale, scale)
-    return np.concatenate([taken, pixels])
+    return np.concatenate([taken, pixels[np.isfinite(pixels).all(1)]])
 
 
 def _draw_label(label, x, y, scale):
