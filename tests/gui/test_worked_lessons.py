@@ -50,7 +50,6 @@ class Learner:
         yield from self.press("lesson_step(way='NEXT')")
         yield from until(lambda: stage.step_of(self.scene) == before + 1, "the next step")
         yield from redrawn()
-        self.picture("begun")
 
     def check(self, told, command="check_answer("):
         """Steps that give an answer, which is said to be "Right" or "Not yet"."""
