@@ -188,7 +188,7 @@ def changed(*path, to):
 
 
 def of_tori(steps, each, faces):
-    """A lesson of so many steps, each of which makes so many tori, with faces or without."""
+    """A lesson of steps, each of which makes tori, with faces or without."""
     more = {'faces': faces} if faces else {}
     return {'format': 1, 'name': "tori", 'title': "Tori", 'steps': [
         {'text': "More.", 'make': [{'shape': f"torus {i}.{k}", 'recipe': 'torus', **more} for k in range(each)]} for i in range(steps)]}

@@ -152,7 +152,7 @@ def _change(scene, one):
 
 
 def _set_faces(scene, data, faces):
-    """Show a surface by so many faces in each span. Raises Refusal where the scene would have too many."""
+    """Show a surface by a number of faces in each span. Raises Refusal where the scene would have too many."""
     others = {ob.data for ob in scene.objects if isinstance(ob.data, bpy.types.Mesh)} - {data}
     if isinstance(data, bpy.types.Mesh):
         sizes.require_room(store.read(data), faces, sum(len(other.polygons) for other in others))
