@@ -3,15 +3,13 @@ wrong one; then the learner's scene is as it was."""
 
 import os
 import sys
-import time
 from pathlib import Path
 
 import bpy
-import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
 from by_keys import KEYS
-from window import View, empty_file, into_net, mean_difference, out_of_net, part, redrawn, run, save_picture, until
+from window import View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 stage, shelf, lectures, words = (part(name) for name in ('bridge.lessons.stage', 'bridge.lessons.shelf', 'core.lessons.lectures', 'core.base.words'))
@@ -25,7 +23,7 @@ class Learner:
 
     def __init__(self, view, name):
         self.view, self.name, self.known = view, name, {}
-        self.scene, self.lesson = view.window.scene, shelf.all_lessons()[name]
+        self.scene = view.window.scene
 
     def reach(self, name, **modifiers):
         """Steps that bring the mouse over a button or field that a key tells by its name. Its place is looked for near the one it had."""
@@ -192,7 +190,8 @@ def users_scene():
     scene = bpy.data.scenes["Scene"]
     sights = scene.splinewright_sights
     return {
-        'objects': [(ob.name, tuple(map(tuple, ob.matrix_world)), ob.select_get(view_layer=scene.view_layers[0]), ob.data.name) for ob in scene.objects],
+        'objects': [(ob.name, tuple(map(tuple, ob.matrix_world)), ob.select_get(view_layer=scene.view_layers[0]), ob.data.name)
+                    for ob in scene.objects],
         'active': scene.view_layers[0].objects.active.name,
         'value': part('bridge.shape.shape').value_of(scene.objects["Mine"].data).dumps(),
         'sights': [(name, getattr(sights, name)) for name, known in sights.bl_rna.properties.items() if known.type == 'BOOLEAN'],
@@ -228,14 +227,11 @@ def steps():
     bpy.context.object.name = "Mine"
     yield from view.in_sidebar()
     before, known = users_scene(), {}
-    shown = save_picture(OUTPUT / "worked-before.png")
-    start = time.monotonic()
     for lecture in WORKED:
         yield from work(view, lecture, known)
         assert users_scene() == before, lecture
-        print(lecture, f"{time.monotonic() - start:.1f} s", flush=True)
+        print("done:", lecture, WORKED[lecture][0], flush=True)
     bpy.context.preferences.view.language = 'en_US'
-    save_picture(OUTPUT / "worked-after.png")
 
 
 run(steps())
