@@ -231,9 +231,33 @@ def test_a_step_that_cannot_be_made_leaves_none_of_its_shapes():
     scene = stage.begin(made, bpy.context.scene)
     before = scene_state()
     for _ in range(2):
-        with pytest.raises(failures.Refusal, match="levels are 0 to 1"):
+        with pytest.raises(failures.Refusal, match="^Refused, step 2: levels cannot be made: .*levels are 0 to 1"):
             stage.advance(scene, made)
         assert stage.step_of(scene) == 0 and list(stage.shapes_of(scene)) == ["curve"] and scene_state() == before
+
+
+def test_faces_of_several_shapes_are_bounded_before_they_are_made():
+    """Spans of what a recipe makes are known when it is there."""
+    tori = [{'shape': name, 'recipe': 'torus', 'faces': [100, 100]} for name in ("first", "second")]
+    steps = [{'text': "One.", 'make': tori[:1]}, {'text': "Two.", 'make': tori[1:]}]
+    made = shelf.read_text(json.dumps({'format': 1, 'name': "large", 'title': "Large", 'steps': steps}))
+    scene = stage.begin(made, bpy.context.scene)
+    assert [len(ob.data.polygons) for ob in scene.objects] == [160_000]
+    with pytest.raises(failures.Refusal, match="^Large, step 2: second cannot be made: the lesson would show 320,000 faces: 300,000 are the most$"):
+        stage.advance(scene, made)
+    assert list(stage.shapes_of(scene)) == ["first"]
+
+
+def test_a_long_reason_is_not_told_whole(monkeypatch):
+    lesson = LESSONS["corner-cutting"]
+
+    def refuse(*_):
+        raise failures.Refusal("so " * 2000)
+    monkeypatch.setattr(stage, '_make', refuse)
+    with pytest.raises(failures.Refusal) as refused:
+        stage.begin(lesson, bpy.context.scene)
+    assert str(refused.value).startswith(f"{lesson.title}, step 1: curve cannot be made: so so ") and len(str(refused.value)) < 500
+    assert len(bpy.data.scenes) == 1
 
 
 def test_answers_that_are_too_long_for_buttons_stand_above_their_numbers(monkeypatch):

@@ -198,5 +198,11 @@ def too_long(panel, context, region):
     width = region.width / _scale() - _TABS
     title, has_button = _translated(panel.bl_label), hasattr(panel, 'draw_header_preset')
     found = [(title, width_of(title, 'panel_title'), width - _TITLE - (_UNIT if has_button else 0))]
-    found += [(field.words, width_of(field.words), room_of(field, share)) for field, share in placed(drawn(panel, context), width) if field.words.strip()]
+    return [(words, needed, has) for words, needed, has in found if needed > has] + cut_off(drawn(panel, context), region)
+
+
+def cut_off(layout, region):
+    """too_long() of what was drawn into a Recorder."""
+    found = [(field.words, width_of(field.words), room_of(field, share))
+             for field, share in placed(layout, region.width / _scale() - _TABS) if field.words.strip()]
     return [(words, needed, has) for words, needed, has in found if needed > has]

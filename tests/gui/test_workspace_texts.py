@@ -7,7 +7,7 @@ from pathlib import Path
 import bpy
 
 sys.path[:0] = [str(Path(__file__).parents[1] / "blender"), str(Path(__file__).parent)]
-from fitting import too_long
+from fitting import Recorder, cut_off, drawn, placed, too_long
 from operator_cases import FOLLOWED
 from shapes import activate
 from window import View, empty_file, into_net, out_of_net, part, redrawn, run, save_picture, select_points, until
@@ -15,10 +15,11 @@ from window import View, empty_file, into_net, out_of_net, part, redrawn, run, s
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 LANGUAGES = ('en_US', 'it_IT', 'pl_PL', 'ru_RU')
 table, stage, shelf, words = part('core.recipes.table'), part('bridge.lessons.stage'), part('bridge.lessons.shelf'), part('core.base.words')
+lessons_panel, texts = part('ui.lessons_panel'), part('ui.texts')
 #: Recipes whose operators have names of their own.
 ELSEWHERE = {'follow': 'follow_object', 'through_objects': 'curve_through_points'}
-#: {(language, panel, words)} that are cut off, and names of panels that were seen.
-cut, seen = set(), set()
+#: {(language, panel, words)} that are cut off, names of panels that were seen, and what was in them when they were measured.
+cut, seen, measured = set(), set(), set()
 
 
 def panels():
@@ -26,13 +27,21 @@ def panels():
     return sorted((cls for cls in found if getattr(cls, 'bl_category', "") == "NURBS"), key=lambda cls: cls.__name__)
 
 
+def content(cls, region):
+    """The panel's English texts, with the width that each has."""
+    return cls.__name__, tuple((*field, round(width)) for field, width in placed(drawn(cls, bpy.context), region.width))
+
+
 def look(view, state):
-    """Measure the panels that there are now, in each language."""
+    """Measure the panels that there are now, in each language. What was measured is not measured again."""
     preferences, region = bpy.context.preferences.view, view._region('UI')
     with bpy.context.temp_override(window=view.window, area=view.area, region=region):
         shown = [cls for cls in panels() if not hasattr(cls, 'poll') or cls.poll(bpy.context)]
         seen.update(cls.__name__ for cls in shown)
-        for language in LANGUAGES:
+        contents = {cls: content(cls, region) for cls in shown}
+        shown = [cls for cls in shown if contents[cls] not in measured]
+        measured.update(contents.values())
+        for language in LANGUAGES if shown else ():
             preferences.language = language
             preferences.use_translate_interface = True
             words.say("NURBS")          # Blender has the language's texts from now on
@@ -41,7 +50,8 @@ def look(view, state):
                     if (language, cls.__name__, text) not in cut:
                         cut.add((language, cls.__name__, text))
                         print(f"{language}  {cls.__name__:40} {needed:5.0f} > {has:5.0f}  {text}   [{state}]", flush=True)
-    preferences.language = 'en_US'
+    if preferences.language != 'en_US':
+        preferences.language = 'en_US'
 
 
 def select(*obs):
@@ -110,18 +120,58 @@ def shapes(view):
         yield from out_of_net()
 
 
+def kind_of(step):
+    """What the panel of a step draws: steps of one kind differ in their words alone."""
+    return step.ask and step.ask.kind, bool(step.watch), bool(step.move)
+
+
 def lessons(view):
-    """Every step of every lesson."""
+    """A step of each kind as the panel draws it, and the words of all."""
     empty_file()
+    known = set()
     for name, lesson in shelf.all_lessons().items():
+        kinds = list(map(kind_of, lesson.steps))
+        if known.issuperset(kinds):
+            continue
         call(view, 'start_lesson', lesson=name)
         yield from until(lambda: stage.lesson_of(view.window.scene), "a lesson")
-        for number in range(1, len(lesson.steps) + 1):
-            look(view, f"lesson {name}, step {number}")
-            if number < len(lesson.steps):
+        for number, kind in enumerate(kinds, 1):
+            if kind not in known:
+                look(view, f"lesson {name}, step {number}")
+                known.add(kind)
+            if number < len(kinds):
                 call(view, 'lesson_step', way='NEXT')
             yield
         call(view, 'leave_lesson')
+    preferences = bpy.context.preferences.view
+    for language in LANGUAGES:
+        preferences.language = language
+        preferences.use_translate_interface = True
+        words.say("NURBS")
+        look_at_words(view, language)
+        yield
+    preferences.language = 'en_US'
+
+
+def look_at_words(view, language):
+    """Measure what all lessons say, as the panel draws it."""
+    region = view._region('UI')
+    with bpy.context.temp_override(window=view.window, area=view.area, region=region):
+        for name, lesson in shelf.all_lessons().items():
+            for number, step in enumerate(lesson.steps, 1):
+                layout = Recorder()
+                texts.draw_note(layout, lesson.title, icon='NONE')
+                texts.draw_note(layout, step.text, icon='NONE')
+                box = layout.box()
+                for watch in step.watch:
+                    texts.draw_note(box, words.say(watch.text), icon='NONE', beside=lessons_panel._BOX)
+                if step.ask is not None and step.ask.choices:
+                    lessons_panel._draw_choices(box, list(map(words.say, step.ask.choices)))
+                if step.hint:
+                    texts.draw_note(box, step.hint, icon='LIGHT', beside=lessons_panel._BOX)
+                for text, needed, has in cut_off(layout, region):
+                    cut.add((language, name, text))
+                    print(f"{language}  {name:40} {needed:5.0f} > {has:5.0f}  {text}   [step {number}]", flush=True)
 
 
 def steps():

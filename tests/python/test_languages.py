@@ -77,6 +77,30 @@ def test_every_text_is_translated(language):
     assert missing == [], len(missing)
 
 
+#: Texts with a number that is never 1 where they are said, or is an upper bound.
+NEVER_ONE = {
+    "the net has {count} splines: join them (Make Segment) or delete all but one, the shape waits",
+    "{name} would take {size:.1f} GB for {count} frames: bake fewer, or show it by fewer faces",
+    "{count} users show the same data: make it single-user first", "{count} pieces have", "{count} edges rounded", "{count} Edges", "{count} objects",
+    "the hull of {count} points was given up: rounding hides which of them are its corners", "the file has more than {count:,} characters",
+    "a text of at most {count:,} characters is expected", "a list of 1 to {count} steps is expected", "it is one curve with {count} pieces",
+    "{gone} of {count} points of the net were replaced, or given another tilt or radius: the shape has them where they were",
+    "the surfaces meet in {count} curves: one is expected", "it is one patch with {count} pieces", "{count} shapes", "{count} shapes, ",
+    "it has {count} corners: a hole has eight at most", "there are {count} knots, and none of number {number}", "{text} of {count} points",
+    "The definitions of {count} shapes ended", "Exported {count} objects to", " of {count} files", "{count} points", "Weight of {count} points: {text}",
+    "{count} objects are shown as the render needs", "{shapes}{count} control points, largest distance {error}",
+    "Keys of {count} points that are gone go when the net is left"}
+
+
+def test_a_noun_behind_a_number_has_its_form_for_one():
+    """Unless more than one are told of, or more than are allowed."""
+    alike = {text.text for text in make_languages.collected() if text.plural == text.text}
+    plain = {text for text in alike if re.search(r"\{count[^}]*\} (more )?[A-Za-z]+s\b|\{count[^}]*\} (vertices|control points)", text)
+             and not re.search("are the most|too many", text)}
+    assert not plain - NEVER_ONE, plain - NEVER_ONE
+    assert not NEVER_ONE - alike, "a text is gone"
+
+
 def calls():
     for path in sorted(ADDON.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text())):

@@ -187,6 +187,26 @@ def changed(*path, to):
     return other
 
 
+def of_tori(steps, each, faces):
+    """A lesson of steps, each of which makes tori, with faces or without."""
+    more = {'faces': faces} if faces else {}
+    return {'format': 1, 'name': "tori", 'title': "Tori", 'steps': [
+        {'text': "More.", 'make': [{'shape': f"torus {i}.{k}", 'recipe': 'torus', **more} for k in range(each)]} for i in range(steps)]}
+
+
+@pytest.mark.parametrize('steps, each, faces, said', (
+    (1, 40, [100, 100], "ask for 400,000 faces of a span in sum: 40,000 are the most"), (5, 1, [100, 100], "50,000 faces"),
+    (6, 40, None, "makes 240 shapes: 200 are the most")))
+def test_lessons_are_bounded_in_sum(steps, each, faces, said):
+    with pytest.raises(failures.Refusal, match=said):
+        reading.read(json.dumps(of_tori(steps, each, faces)))
+
+
+@pytest.mark.parametrize('steps, each, faces', ((4, 1, [100, 100]), (5, 40, None), (5, 40, [12, 12])))
+def test_lessons_within_the_bounds_are_read(steps, each, faces):
+    assert len(reading.read(json.dumps(of_tori(steps, each, faces))).steps) == steps
+
+
 STEP = ('steps', 0)
 DO = ('steps', 1, 'ask', 'do', 0)
 

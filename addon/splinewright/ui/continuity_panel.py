@@ -41,6 +41,7 @@ class SPLINEWRIGHT_PT_continuity(ClosedPanel, bpy.types.Panel):
         if survey.bendable:
             texts.draw_note(self.layout, phrase("Pulled at {count:,} knots inside it may crease: deformable or rebuilt it "
                                                 "stays smooth",
+                                                one="Pulled at {count:,} knot inside it may crease: deformable or rebuilt it stays smooth",
                                                 count=survey.bendable))
         if not survey.count:
             self.layout.label(text="No seams" if is_surface else "No joints")

@@ -205,6 +205,7 @@ def _come_back():
     if ui_state.missed:
         texts.pop_up(phrase("{count} frames were rendered with shapes as they were before: switch Render > Lock Interface on and "
                             "render again",
+                            one="{count} frame was rendered with shapes as they were before: switch Render > Lock Interface on and render again",
                             count=ui_state.missed))
         ui_state.missed = 0
 

@@ -42,7 +42,7 @@ def draw(layout, data, definition, has_buttons=True):
         _draw_fineness(column, settings, has_buttons)
         fields.number(layout, settings, "sharp_angle")
         column = layout.column(align=True)
-        column.label(text=say(phrase("{count:,} vertices", count=len(data.vertices))))
+        column.label(text=say(phrase("{count:,} vertices", one="{count:,} vertex", count=len(data.vertices))))
         column.label(text=say(_faces(data)))
         if has_buttons and len(definition.pieces) > 1 and len(data.materials) > 1:
             layout.operator("splinewright.set_patch_material", icon='MATERIAL')
@@ -85,8 +85,8 @@ def _draw_limits(column, settings, has_buttons=False):
 def _faces(data):
     """Of a Mesh, and how many there were before."""
     before, now = data.splinewright.faces_before, len(data.polygons)
-    return phrase("{before:,} → {count:,} faces",
-                  before=before, count=now) if before not in (0, now) else phrase("{count:,} faces", count=now)
+    return phrase("{before:,} → {count:,} faces", one="{before:,} → {count:,} face",
+                  before=before, count=now) if before not in (0, now) else phrase("{count:,} faces", one="{count:,} face", count=now)
 
 
 CLASSES = (SPLINEWRIGHT_PT_display,)

@@ -49,7 +49,8 @@ def points_for(recipe, points, values):
         raise Refusal("{label} is made from numbers alone: it takes no points", label=phrase(recipe.label))
     count = len(recipe.start_for(values))
     if not recipe.can_gain_points and len(points) != count:
-        raise Refusal("{label} takes {count} points, not {given}", label=phrase(recipe.label), count=count, given=len(points))
+        raise Refusal("{label} takes {count} points, not {given}",
+                      "{label} takes {count} point, not {given}", label=phrase(recipe.label), count=count, given=len(points))
     return points
 
 

@@ -6,13 +6,14 @@ from functools import partial
 import bpy
 import numpy as np
 
-from ...core.base.failures import Refusal
+from ...core.base.failures import FAILURES, Refusal, sentence
+from ...core.base.words import phrase
 from ...core.lessons import answers as kept_answers
-from ...core.lessons import checking, in_words
+from ...core.lessons import checking, in_words, sizes
 from ...core.lessons.facets import Facets
 from ...core.lessons.measures import Shown
 from ...core.recipes.table import RECIPES
-from ..data import blocks, settings
+from ..data import blocks, settings, store
 from ..follow import follow, making
 from ..recipes import recipes
 from ..shape import recipe_edit, shape
@@ -24,6 +25,8 @@ LESSON, STEP, ANSWERS, BEFORE, FILE = (f"splinewright_lesson{suffix}" for suffix
 RECORD = "splinewright_lesson_record"
 #: On an object: the name by which a lesson knows it.
 SHAPE = "splinewright_lesson_shape"
+#: Of the reason why a shape cannot be made, most characters that are told.
+_MOST_SAID = 300
 
 
 def lesson_of(scene):
@@ -60,8 +63,8 @@ def rebuild(scene, lesson, number):
     """Make the shapes of a step again, as they are when a learner comes to it: of all steps up to it, with their changes. Raises as
     begin()."""
     _clear(scene)
-    for step in lesson.steps[:number + 1]:
-        _play(scene, step)
+    for i in range(number + 1):
+        _play(scene, lesson, i)
     scene[STEP] = number
     _select(scene, lesson)
 
@@ -73,7 +76,7 @@ def advance(scene, lesson):
         raise Refusal("this is the last step")
     known = set(scene.objects)
     try:
-        _play(scene, lesson.steps[number])
+        _play(scene, lesson, number)
     except Exception:
         _remove(scene, set(scene.objects) - known)
         raise
@@ -90,10 +93,19 @@ def _select(scene, lesson):
     scene.view_layers[0].objects.active = next((shown[name] for name in names if name in shown), None)
 
 
-def _play(scene, step):
-    for make in step.make:
-        _make(scene, make)
-    change(scene, step.change)
+def _play(scene, lesson, number):
+    """Make and change the shapes of a step. Raises Refusal that names the lesson, the step and the shape."""
+    step = lesson.steps[number]
+    for one, done, pattern in (*((make, _make, "{lesson}, step {number}: {shape} cannot be made: {reason}") for make in step.make),
+                               *((each, _change, "{lesson}, step {number}: {shape} cannot be changed: {reason}") for each in step.change)):
+        try:
+            done(scene, one)
+        except FAILURES as error:
+            raise Refusal(pattern, lesson=phrase(lesson.title), number=number + 1, shape=one.shape, reason=_short(sentence(error))) from error
+
+
+def _short(reason):
+    return reason if len(reason) <= _MOST_SAID else reason[:_MOST_SAID] + "…"
 
 
 def _make(scene, make):
@@ -113,26 +125,38 @@ def _make(scene, make):
         ob.location = make.place
     scene.collection.objects.link(ob)
     if make.faces:
-        settings.set_count(ob.data, *make.faces)
+        _set_faces(scene, ob.data, make.faces)
     graph(scene)
 
 
 def change(scene, changes):
     """Give shapes other values or settings. Raises as begin()."""
     for one in changes:
-        data = object_of(scene, one.shape).data
-        if one.faces:
-            settings.set_count(data, *one.faces)
-            continue
-        if one.value is not None:
-            shape.set_value(data, one.value)
-        elif one.points:
-            recipe_edit.set_points(data, one.points)
-        elif recipes.follows(data):
-            follow.set_parameters(data, one.settings, graph(scene))
-        else:
-            recipe_edit.set_parameters(data, one.settings)
-        follow.refresh({data}, graph(scene))
+        _change(scene, one)
+
+
+def _change(scene, one):
+    data = object_of(scene, one.shape).data
+    if one.faces:
+        _set_faces(scene, data, one.faces)
+        return
+    if one.value is not None:
+        shape.set_value(data, one.value)
+    elif one.points:
+        recipe_edit.set_points(data, one.points)
+    elif recipes.follows(data):
+        follow.set_parameters(data, one.settings, graph(scene))
+    else:
+        recipe_edit.set_parameters(data, one.settings)
+    follow.refresh({data}, graph(scene))
+
+
+def _set_faces(scene, data, faces):
+    """Show a surface by a number of faces in each span. Raises Refusal where the scene would have too many."""
+    others = {ob.data for ob in scene.objects if isinstance(ob.data, bpy.types.Mesh)} - {data}
+    if isinstance(data, bpy.types.Mesh):
+        sizes.require_room(store.read(data), faces, sum(len(other.polygons) for other in others))
+    settings.set_count(data, *faces)
 
 
 def graph(scene):

@@ -29,7 +29,7 @@ def faults(lesson, before, overlays):
         started = time.perf_counter()
         scene = stage.begin(lesson, before)
     except FAILURES as error:
-        return [*found, phrase("step 1 cannot be made: {error}", error=sentence(error))]
+        return [*found, sentence(error)]
     try:
         return found + list(_of_steps(scene, lesson, started))
     finally:
@@ -45,7 +45,7 @@ def _of_steps(scene, lesson, started):
                 stage.advance(scene, lesson)
             taken = time.perf_counter() - started
         except FAILURES as error:
-            yield phrase("step {number} cannot be made: {error}", number=number + 1, error=sentence(error))
+            yield sentence(error)
             return
         if taken > LONGEST:
             yield phrase("step {number} takes {taken:.1f} seconds: {longest:g} are the most",

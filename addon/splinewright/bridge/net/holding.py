@@ -61,6 +61,7 @@ def _kept(data, current, definition):
     if len(kept) < len(seams):
         held.write(data, kept)
         current.released = phrase("{count} of the joints that held are released: what they joined is not there any more",
+                                  one="{count} of the joints that held is released: what it joined is not there any more",
                                   count=len(seams) - len(kept))
     return kept
 

@@ -49,7 +49,8 @@ def _values(definition):
 
 def _row(definition, piece, place):
     if piece > len(definition.pieces):
-        raise Refusal("there is no piece {piece}: there are {count}", piece=piece, count=len(definition.pieces))
+        raise Refusal("there is no piece {piece}: there are {count}",
+                      "there is no piece {piece}: there is {count}", piece=piece, count=len(definition.pieces))
     indices = _points_of(definition.pieces[piece - 1])
     if any(at >= count for at, count in zip(place, indices.shape)):
         last = ", ".join(str(count - 1) for count in indices.shape)

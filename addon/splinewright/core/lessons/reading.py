@@ -6,7 +6,7 @@ from ..base.failures import Refusal
 from ..base.library import sc
 from ..recipes.table import RECIPES
 from ..shape import definition as definitions
-from . import places
+from . import places, sizes
 from .lesson import VALUE, Ask, Change, Condition, Lesson, Make, Measure, Move, Step, Watch
 from .measures import KINDS
 from .places import Place
@@ -55,6 +55,7 @@ def _lesson(place):
     known, read_steps = {}, []
     for i, step in enumerate(steps):
         read_steps.append(_step(Place(f"step {i + 1}", step), known))
+    sizes.require_few(read_steps)
     lectures = tuple(one.text() for one in found['lectures'].entries()) if 'lectures' in found else ()
     return Lesson(found['name'].text(), found['title'].text(), lectures, tuple(read_steps))
 

@@ -10,6 +10,11 @@ from ..base.words import phrase
 from . import native
 from .native_refine import Axis, bezier_rows, homogeneous
 
+#: What Blender ignores, of several and of one.
+_POINTS = ("{count} points at the end of {name}, which Blender ignores", "{count} point at the end of {name}, which Blender ignores")
+_ROWS = ("{count} rows along {axis} at the end of {name}, which Blender ignores",
+         "{count} row along {axis} at the end of {name}, which Blender ignores")
+
 
 def curve_value(spline, name):
     """The curve of a spline, or None, and what of it is left out, as fragments that name it by `name`."""
@@ -74,9 +79,7 @@ def _axis_and_net(net, direction, i, name):
     axis = Axis(direction.degree, native.plain_knots(direction))
     if used == direction.count:
         return axis, net, []
-    words = phrase("{count} points at the end of {name}, which Blender ignores" if net.ndim == 2 else
-                   "{count} rows along {axis} at the end of {name}, which Blender ignores",
-                   count=direction.count - used, axis='uv'[i], name=name)
+    words = phrase(*(_POINTS if net.ndim == 2 else _ROWS), count=direction.count - used, axis='uv'[i], name=name)
     return axis, np.take(net, range(used), axis=i), [words]
 
 

@@ -117,6 +117,7 @@ def _osculating(points, derivatives):
     size = 1 + derivatives
     if len(points) % size or len(points) < 2 * size:
         raise Refusal("{count} points are not two or more groups of {size}: a point and the heads of its derivatives",
+                      "{count} point is not two or more groups of {size}: a point and the heads of its derivatives",
                       count=len(points), size=size)
     groups = points.reshape(-1, size, 3).copy()
     groups[:, 1:] -= groups[:, :1]

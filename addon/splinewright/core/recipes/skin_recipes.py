@@ -193,7 +193,7 @@ def _of_sides(sides, tolerance, cancel):
     with about_items(sides=[side.owner for side in sides]):
         found = sc.build.fill([side.asked for side in sides], tolerance=tolerance, cancel=cancel)
     patches = list(found.patches)
-    said = ", ".join([phrase("{count} sides",
+    said = ", ".join([phrase("{count} sides", one="{count} side",
                              count=len(sides)), *_gone_on(found, {side.asked[2] for side in sides if side.asked is not side.curve})])
     return of_patches(patches, found.gap, said)
 

@@ -163,7 +163,7 @@ def _of_mesh(inputs, cancel=None):
     polygons, = inputs
     found = sc.build.catmull_clark(polygons.points, polygons.faces, cancel=cancel)
     irregular = found.irregular
-    said = phrase("{count} patches", count=len(found.patches))
+    said = phrase("{count} patches", one="{count} patch", count=len(found.patches))
     if irregular:
         said += phrase(", {irregular} of them about extraordinary points, angle {degrees}° between them",
                        irregular=irregular, degrees=_short(math.degrees(found.angle)))

@@ -107,7 +107,8 @@ class Definition:
     def require_consistent(self):
         """Raises Refusal or TypeError unless this could have come from a value."""
         if self.form not in ('curve', 'curves', 'patch', 'patch_set') or not self.pieces:
-            raise Refusal("its form is '{form}' with {count} pieces", form=self.form, count=len(self.pieces))
+            raise Refusal("its form is '{form}' with {count} pieces",
+                          "its form is '{form}' with {count} piece", form=self.form, count=len(self.pieces))
         if self.form in ('curve', 'patch') and len(self.pieces) != 1:
             raise Refusal("it is one curve with {count} pieces" if self.form == 'curve' else "it is one patch with {count} pieces",
                           count=len(self.pieces))

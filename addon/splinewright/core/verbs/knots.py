@@ -27,6 +27,7 @@ def replaced(definition, piece, axis, text):
     new = _numbers(text)
     if len(new) != len(old[axis]):
         raise Refusal("{count} knots were given, {needed} are needed for these points and this degree",
+                      "{count} knot was given, {needed} are needed for these points and this degree",
                       count=len(new), needed=len(old[axis]))
     _require_order(new, is_parameters=definition.pieces[piece].kind == 'hermite')
     changed = _with_knots(definition, piece, axis, new)

@@ -56,7 +56,8 @@ class SPLINEWRIGHT_OT_bake_animation(AtWork, bpy.types.Operator):
             return reports.failed(self, error)
         self._done = 0
         context.window_manager.progress_begin(0, count)
-        context.workspace.status_text_set(say(phrase("Baking {count} frames: Esc stops it", count=count)))
+        context.workspace.status_text_set(say(phrase("Baking {count} frames: Esc stops it",
+                                                     one="Baking {count} frame: Esc stops it", count=count)))
         return self.begin_modal(context)
 
     def work_on(self, context):

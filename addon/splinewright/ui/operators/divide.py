@@ -98,7 +98,7 @@ class SPLINEWRIGHT_OT_divide_equally(LongWork, Repeatable, bpy.types.Operator):
                 for curve in curves])
             if not len(found):
                 raise Refusal("there is no place between the ends")
-            return found, phrase("{count} places", count=len(found)) + _said_of_parts(curves, wanted)
+            return found, phrase("{count} places", one="{count} place", count=len(found)) + _said_of_parts(curves, wanted)
         return places
 
     def _require_few(self, count):

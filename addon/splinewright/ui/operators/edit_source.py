@@ -65,7 +65,7 @@ def _places(ob):
 
 
 def _title(ob):
-    return phrase("{name} is made from {count} objects",
+    return phrase("{name} is made from {count} objects", one="{name} is made from {count} object",
                   name=ob.name, count=len(_sources(ob))) if _sources(ob) else phrase("{name} is made by its numbers",
                                                                                              name=ob.name)
 

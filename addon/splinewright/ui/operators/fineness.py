@@ -52,7 +52,7 @@ class SPLINEWRIGHT_OT_tolerance_from_render(_OnPatches, bpy.types.Operator):
         if len(outcomes) > 1:
             return reports.Report(phrase("{count} objects are shown as the render needs", count=len(outcomes)))
         (name, (tolerance, before, now)), = outcomes.items()
-        return reports.Report(phrase("{name}: tolerance {tolerance}, {before:,} faces became {count:,}",
+        return reports.Report(phrase("{name}: tolerance {tolerance}, faces: {before:,} → {count:,}",
                                      name=name, tolerance=decimals.text_of(tolerance, 2), before=before, count=now))
 
 
@@ -85,7 +85,8 @@ class SPLINEWRIGHT_OT_set_patch_material(_OnPatches, bpy.types.Operator):
     def work(self, context, ob):
         slot = self.slot or ob.active_material_index + 1
         if slot > len(ob.material_slots):
-            raise Refusal("it has {count} material slots, there is none of number {slot}", count=len(ob.material_slots), slot=slot)
+            raise Refusal("it has {count} material slots, there is none of number {slot}",
+                          "it has {count} material slot, there is none of number {slot}", count=len(ob.material_slots), slot=slot)
         shape.require_writable(ob.data)
         mesh_looks.set_material(ob.data, self.piece, slot - 1)
 

@@ -45,6 +45,7 @@ class _OnJoint(OnWhatHolds):
         knots = parameters.inner_knots(curves[self.first - 1]).tolist()
         if self.knot > len(knots):
             raise Refusal("piece {first} has {count} knots inside, none of number {knot}",
+                          "piece {first} has {count} knot inside, none of number {knot}",
                           first=self.first, count=len(knots), knot=self.knot)
         return ((self.first - 1, knots[self.knot - 1]),) * 2
 

@@ -54,7 +54,8 @@ class _OnInputs:
 
     def require(self, inputs):
         if self.index >= len(inputs):
-            raise Refusal("it is made from {count} objects, there is none of number {index}", count=len(inputs), index=self.index + 1)
+            raise Refusal("it is made from {count} objects, there is none of number {index}",
+                          "it is made from {count} object, there is none of number {index}", count=len(inputs), index=self.index + 1)
 
 
 class SPLINEWRIGHT_OT_move_input(_OnInputs, bpy.types.Operator):

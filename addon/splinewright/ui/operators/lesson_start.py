@@ -14,6 +14,8 @@ from ..ui_state import ui_state
 from . import polls, reports
 
 _VIEWS = ('TOP', 'FRONT', 'RIGHT')
+#: Of a view that is free, in radians: from the front to the side, and up.
+_TURN, _RISE = -0.6, 0.5
 
 
 @lru_cache(None)
@@ -45,7 +47,16 @@ def show_view(context, step):
     with context.temp_override(area=area, region=region):
         if step.view in _VIEWS:
             bpy.ops.view3d.view_axis(type=step.view)
+        elif step.view == 'FREE' and region.data.is_orthographic_side_view:
+            _leave_axis()
         bpy.ops.view3d.view_all()
+
+
+def _leave_axis():
+    """Look from above at an angle: along an axis heights are not seen."""
+    bpy.ops.view3d.view_axis(type='FRONT')
+    bpy.ops.view3d.view_orbit(angle=_TURN, type='ORBITLEFT')
+    bpy.ops.view3d.view_orbit(angle=_RISE, type='ORBITUP')
 
 
 def begin(operator, context, lesson, text=""):

@@ -221,7 +221,8 @@ def _opened(outcomes):
         pairs = [phrase("{first} and {second}",
                         first=first + 1, second=second + 1) for first, second in seams.opened(before, changed.definition, changed.parents)]
         if pairs:
-            said = ", ".join(pairs[:4]) + (phrase(" and {count} more pairs", count=len(pairs) - 4) if len(pairs) > 4 else "")
+            said = ", ".join(pairs[:4]) + (phrase(" and {count} more pairs",
+                                                  one=" and {count} more pair", count=len(pairs) - 4) if len(pairs) > 4 else "")
             yield phrase("{name} is open now between the patches {said}: with Piece 0 all are changed alike", name=name, said=said)
 
 

@@ -54,7 +54,7 @@ class SPLINEWRIGHT_OT_project_points(LongWork, Repeatable, bpy.types.Operator):
             context.view_layer.objects.active = new[0]
         words = [decimals.text_of(number, 4) for number in (distances.max(), distances.mean())]
         return self.finished(context, reports.Report(
-            phrase("{count} points, largest distance {largest}, mean {mean}",
+            phrase("{count} points, largest distance {largest}, mean {mean}", one="{count} point, distance {largest}",
                    count=len(distances), largest=words[0], mean=words[1])))
 
     def _chosen(self, context):

@@ -49,7 +49,8 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         try:
             found = self.result_of('circles', self._task(context))
             if self.number > len(found):
-                raise Refusal("{count} circles touch them, there is none of number {number}", count=len(found), number=self.number)
+                raise Refusal("{count} circles touch them, there is none of number {number}",
+                              "{count} circle touches them, there is none of number {number}", count=len(found), number=self.number)
             circle = found[self.number - 1]
             value = circle.arc if self.is_arc else sc.conics.circle(circle.center, circle.radius, circle.normal)
             data = shape.new_data("Touching Circle", value, new_shapes.start(self))
@@ -67,7 +68,7 @@ class SPLINEWRIGHT_OT_add_touching_circle(LongWork, Repeatable, bpy.types.Operat
         curves = [curve for ob in context.selected_objects if _is_curve(ob) for curve in verbs.curves_of(transform.transformed(
             recipe_results.definition_of(ob, depsgraph), recipe_results.matrix_in(ob, None, depsgraph)))]
         if len(curves) != 3:
-            raise Refusal("{count} curves are selected: three are needed", count=len(curves))
+            raise Refusal("{count} curves are selected: three are needed", "{count} curve is selected: three are needed", count=len(curves))
         return lambda cancel: touching.circles(*curves, cancel)
 
     def draw(self, context):
