@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, add, made, pieces_named, require_exact
+from shapes import VALUES, add, made, op, pieces_named, require_exact
 from support import part, splinecore as sc
 
 labels, piece_materials, store = (part(name) for name in ('core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
@@ -47,6 +47,35 @@ def test_the_homogeneous_curve_follows_weights_and_its_image_follows_it():
     assert values_of(image)[0].degree == 4
     u = np.linspace(0, 1, 9)
     assert np.allclose(values_of(image)[0].evaluate(u), source.data.splinewright.value.evaluate(u), atol=1e-5)
+
+
+def applied_lift(**settings):
+    source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
+    ob = made('lift', source, **{'height': 1.0, 'base': 'one', 'cone': 6, 'marker': 0.03, 'polygons': True, 'rays': True, 'plane': True, **settings})
+    assert op(bpy.ops.splinewright.make_editable) == {'FINISHED'}
+    return ob
+
+
+def test_an_applied_homogeneous_curve_keeps_what_stays_right_and_its_image_draws_rays_that_follow(capfd):
+    ob = applied_lift()
+    assert "would not follow the curve" in capfd.readouterr().out
+    assert set(pieces_named(ob)) == {"homogeneous curve", "mark O", "grid", "axis", "tick W = 0", "tick W = 1"}
+    require_exact(ob)
+    image = made('perspective', ob, rays=True, cone=4)
+    assert [pieces_named(image).count(name) for name in ("image", "ray", "cone")] == [1, 4, 5]
+    values = values_of(ob)
+    values[0] = values[0].with_points(values[0].points + [(0, 0, 0), (0, 0, 0), (0, 0, 0), (1, 0, 1)])
+    ob.data.splinewright.value = values
+    bpy.context.view_layer.update()
+    assert np.allclose(values_of(image)[0].weights, [1, 2, 0.5, 2], atol=1e-6)
+    last = values_of(image)[4].points
+    assert np.allclose(np.cross(last[1] - (0, 0, -1), (5, 0, 2)), 0, atol=1e-6) and np.linalg.norm(last[1] - (0, 0, -1)) > 5.38
+    require_exact(image)
+
+
+def test_applying_what_a_lift_shows_without_rays_leaves_all_of_it_and_says_nothing(capfd):
+    ob = applied_lift(rays=False, cone=0, polygons=False, marker=0.0)
+    assert "would not follow" not in capfd.readouterr().out and pieces_named(ob)[0] == "homogeneous curve"
 
 
 def test_the_image_of_a_curve_in_space_has_weights_by_its_height():

@@ -22,10 +22,12 @@ def _lift(inputs, piece, height, base, factor_start, factor_end, marker, polygon
     return of_parts(homogeneous.picture(curve, homogeneous.space_of(height, base == 'one'), marker, polygons, plane, rays, cone))
 
 
-def _perspective(inputs, x, y, z, plane):
+def _perspective(inputs, x, y, z, plane, rays, cone):
     curves = teaching.curves_of(inputs[0])
     is_wanted = [piece.name == homogeneous.CURVE for piece in inputs[0].pieces]
     chosen = [curve for curve, this in zip(curves, is_wanted) if this or not any(is_wanted)]
+    if rays or cone:
+        return of_parts([part for curve in chosen for part in homogeneous.seen(curve.to_nurbs(), (x, y, z), plane, rays, cone)])
     images = [homogeneous.image(curve.to_nurbs(), (x, y, z), plane) for curve in chosen]
     return Result(images if len(images) > 1 else images[0])
 
@@ -38,12 +40,14 @@ RECIPES = (
     Recipe("lift", "Homogeneous Curve",
            "The curve (X, Y, W) that a rational curve is the image of, with rays and plane W = 1",
            (_HEIGHT, _PLANE_AT, _START, _END, _MARKER, _POLYGONS, _RAYS, _CONE, _PLANE, PIECE), _lift, thickness=0.004,
-           inputs=(wanted.ONE_CURVE,)),
+           inputs=(wanted.ONE_CURVE,), applied=homogeneous.applied),
     Recipe("perspective", "Perspective Image",
            "The rational curve in a plane that a curve in space stands for, as seen from a point",
            (Parameter("x", "Eye X", "Of the point that the curve is seen from", 0.0, unit='LENGTH'),
             Parameter("y", "Eye Y", "Of the point that the curve is seen from", 0.0, unit='LENGTH'),
             Parameter("z", "Eye Z", "Of the point that the curve is seen from", -1.0, unit='LENGTH'),
-            Parameter("plane", "Plane Z", "The height of the plane of the image", 0.0, unit='LENGTH')), _perspective,
+            Parameter("plane", "Plane Z", "The height of the plane of the image", 0.0, unit='LENGTH'),
+            Parameter("rays", "Rays", "From the eye through each control point and its image", False),
+            Parameter("cone", "Cone", _CONE.description, 0, 0, 500)), _perspective,
            inputs=(wanted.ONE_CURVE,), first_values=_view),
 )
