@@ -78,6 +78,19 @@ def test_applying_what_a_lift_shows_without_rays_leaves_all_of_it_and_says_nothi
     assert "would not follow" not in capfd.readouterr().out and pieces_named(ob)[0] == "homogeneous curve"
 
 
+def test_a_new_value_of_an_applied_picture_keeps_names_and_materials():
+    ob = applied_lift()
+    names, slots = pieces_named(ob), [spline.material_index for spline in ob.data.splines]
+    values = values_of(ob)
+    ob.data.splinewright.value = [values[0].with_points(values[0].points + (0, 0, 1)), *values[1:]]
+    assert pieces_named(ob) == names and [spline.material_index for spline in ob.data.splines] == slots and len(set(slots)) > 2
+    assert piece_materials.colors_of(ob.data)["grid"] != piece_materials.colors_of(ob.data)["axis"]
+    ob.data.splinewright.value = values[1:]
+    assert pieces_named(ob) == names[1:]
+    ob.data.splinewright.value = [*values[2:], sc.BezierCurve(PLANE), sc.BezierCurve(PLANE), sc.BezierCurve(PLANE)]
+    assert pieces_named(ob) == names[2:] + [""] * 3 and len(names) == len(values)
+
+
 def test_the_image_of_a_curve_in_space_has_weights_by_its_height():
     space = add(sc.BezierCurve(PLANE + [(0, 0, 0), (0, 0, 1), (0, 0, 2), (0, 0, 0)]), "space")
     ob = made('perspective', space, x=0.0, y=0.0, z=-1.0, plane=0.0)
