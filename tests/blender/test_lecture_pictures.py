@@ -49,6 +49,28 @@ def test_the_homogeneous_curve_follows_weights_and_its_image_follows_it():
     assert np.allclose(values_of(image)[0].evaluate(u), source.data.splinewright.value.evaluate(u), atol=1e-5)
 
 
+@pytest.mark.parametrize('base', ('one', 'zero'))
+def test_a_polynomial_factor_changes_the_curve_in_space_and_not_its_image(base):
+    source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
+    ob = made('lift', source, height=1.0, base=base, cone=6, factor="1 + t^2")
+    assert values_of(ob)[0].degree == 5
+    require_exact(ob)
+    image, u = made('perspective', ob), np.linspace(0, 1, 9)
+    for factor in ("1 + t^2", "t - 2", "t", "t - 0.5"):
+        ob.data.splinewright_parameters.lift_factor = factor
+        bpy.context.view_layer.update()
+        assert ob.data.splinewright.problem == ""
+        height = values_of(ob)[0].evaluate(u)[:, 2] + (1.0 if base == 'one' else 0.0)
+        weights = (source.data.splinewright.value.to_nurbs().homogeneous_points[:, 3])
+        expected = [eval(factor.replace("^", "**"), {'t': t}) * np.dot(weights, [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3]) for t in u]
+        assert np.allclose(height, expected, atol=1e-12)
+    ob.data.splinewright_parameters.lift_factor = "2 - t"
+    bpy.context.view_layer.update()
+    assert np.allclose(values_of(image)[0].evaluate(u)[:, :2], source.data.splinewright.value.evaluate(u)[:, :2], atol=1e-5)
+    ob.data.splinewright_parameters.lift_factor = "sin(t)"
+    assert "no polynomial of degree 4" in ob.data.splinewright.problem and ob.data.splinewright_parameters.lift_factor == "2 - t"
+
+
 def applied_lift(**settings):
     source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
     ob = made('lift', source, **{'height': 1.0, 'base': 'one', 'cone': 6, 'marker': 0.03, 'polygons': True, 'rays': True, 'plane': True, **settings})

@@ -3,6 +3,7 @@
 W is drawn along z: the plane W = 1 is the plane of the curve, or 0 lies in it.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,8 @@ RAY, CONE, ORIGIN = "ray", "cone", f"{signs.MARK} O"
 _FLAT = 1e-6
 #: Lines of the grid on the plane W = 1 along each axis, and how far it reaches beyond what lies there, as a part of that.
 _LINES, _BEYOND = 9, 0.15
+#: The highest degree of a factor of all coordinates.
+MOST_DEGREE = 4
 #: So many times as far as the farthest control point from 0 rays reach at most.
 _REACH = 3.0
 
@@ -57,6 +60,51 @@ def space_of(height, is_on_curve):
 def multiplied(curve, start, end):
     """A curve, its homogeneous coordinates times the linear function that is `start` and `end` at its ends."""
     return curve if start == end == 1.0 else curve.multiplied(start, end)
+
+
+def factor_of(formula, domain):
+    """(m + 1,): the Bernstein coefficients over a domain of the polynomial that a Formula is; one alone where it is constant. Raises Refusal."""
+    made, _ = sc.build.curve_from_formulas([formula, "0"], domain)
+    found = made.points[:, 0]
+    if made.degree > MOST_DEGREE:
+        raise Refusal("a(t) is no polynomial of degree {most} or less", most=MOST_DEGREE)
+    if not found.any():
+        raise Refusal("a(t) is 0: nothing is left of the curve")
+    return found[:1] if (found == found[0]).all() else found
+
+
+def multiplied_by(curve, coefficients):
+    """A NurbsCurve, its homogeneous coordinates times the polynomial with these Bernstein coefficients over its domain: of the degree of
+    both together, not periodic unless the polynomial is constant. Where that is 0 the curve goes through 0."""
+    if len(coefficients) == 1:
+        rows = coefficients[0] * curve.homogeneous_points
+        return curve if coefficients[0] == 1.0 else sc.NurbsCurve.from_homogeneous(curve.degree, curve.knots, rows, curve.periodic)
+    plain, last = curve.unrolled() if curve.periodic else curve, len(coefficients) - 1
+    power = _Rows(plain.degree, plain.knots, plain.homogeneous_points)
+    found = power._replace(rows=coefficients[0] * power.rows)
+    for i in range(1, last + 1):        # Horner's scheme: times 1 - s, and s^i beside it
+        power, found = _times(power, 0.0, 1.0), _times(found, 1.0, 0.0)
+        found = found._replace(rows=found.rows + coefficients[i] * math.comb(last, i) * power.rows)
+    return sc.NurbsCurve.from_homogeneous(*found)
+
+
+class _Rows(NamedTuple):
+    """A spline of four coordinates, all of which may be 0."""
+
+    degree: int
+    knots: np.ndarray
+    rows: np.ndarray                    # (n, 4)
+
+
+def _times(spline, start, end):
+    """_Rows times the linear function that is `start` and `end` at the ends of the domain. The library multiplies by positive ones: that is
+    the difference of two of them."""
+    parts = []
+    for columns in (spline.rows[:, :3], np.pad(spline.rows[:, 3:], ((0, 0), (0, 2)))):
+        plain = sc.NurbsCurve(spline.degree, spline.knots, columns)
+        more, once = plain.multiplied(1.0 + start, 1.0 + end), plain.multiplied(1.0, 1.0)
+        parts.append(more.homogeneous_points[:, :3] - once.homogeneous_points[:, :3])
+    return _Rows(more.degree, more.knots, np.column_stack([parts[0], parts[1][:, 0]]))
 
 
 def lifted(curve, space):
