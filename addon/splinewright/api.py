@@ -97,10 +97,8 @@ def restore(object):
 
 def make_editable(object):
     """Drop the recipe of a shape: it follows nothing any more, and its value can be set."""
-    data = _data(object)
     _require_recipe(object)
-    shape.require_writable(data)
-    recipes.remove(data)
+    recipe_edit.end(_data(object))
 
 
 def detach(object):

@@ -208,7 +208,7 @@ BECAUSE = {
     'add_asset_library': "adds a folder to Blender's list", 'edit_linked': "opens another file", 'manual': "opens a page",
     'pick_for_operator': "fills in a number", 'pie': "opens a menu", 'select_seen': "selects", 'use_tool': "changes the tool",
     'self_test': "works in scenes of its own, which it removes", 'measure_here': "shows numbers",
-    'pick_piece': "says which piece is active", 'edit_source': "selects a source and opens it", 'leave_result': "leaves Edit Mode",
+    'choose_function': "sets numbers of a recipe", 'pick_piece': "says which piece is active", 'edit_source': "selects a source and opens it", 'leave_result': "leaves Edit Mode",
     'renew_net': "the net comes again, the shape stays", 'release_joint': "what was held stays where it was",
     'release_seam': "what was held stays where it was", 'clear_point_keys': "removes keyframes",
     'set_patch_material': "gives faces a material", 'tolerance_from_render': "sets how fine the mesh is",

@@ -4,7 +4,7 @@ import bpy
 import numpy as np
 import pytest
 
-from shapes import VALUES, add, made, pieces_named, require_exact
+from shapes import VALUES, add, made, op, pieces_named, require_exact
 from support import part, splinecore as sc
 
 labels, piece_materials, store = (part(name) for name in ('core.formulas.labels', 'bridge.shape.piece_materials', 'bridge.data.store'))
@@ -47,6 +47,70 @@ def test_the_homogeneous_curve_follows_weights_and_its_image_follows_it():
     assert values_of(image)[0].degree == 4
     u = np.linspace(0, 1, 9)
     assert np.allclose(values_of(image)[0].evaluate(u), source.data.splinewright.value.evaluate(u), atol=1e-5)
+
+
+@pytest.mark.parametrize('base', ('one', 'zero'))
+def test_a_polynomial_factor_changes_the_curve_in_space_and_not_its_image(base):
+    source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
+    ob = made('lift', source, height=1.0, base=base, cone=6, factor="1 + t^2")
+    assert values_of(ob)[0].degree == 5
+    require_exact(ob)
+    image, u = made('perspective', ob), np.linspace(0, 1, 9)
+    for factor in ("1 + t^2", "t - 2", "t", "t - 0.5"):
+        ob.data.splinewright_parameters.lift_factor = factor
+        bpy.context.view_layer.update()
+        assert ob.data.splinewright.problem == ""
+        height = values_of(ob)[0].evaluate(u)[:, 2] + (1.0 if base == 'one' else 0.0)
+        weights = (source.data.splinewright.value.to_nurbs().homogeneous_points[:, 3])
+        expected = [eval(factor.replace("^", "**"), {'t': t}) * np.dot(weights, [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3]) for t in u]
+        assert np.allclose(height, expected, atol=1e-12)
+    ob.data.splinewright_parameters.lift_factor = "2 - t"
+    bpy.context.view_layer.update()
+    assert np.allclose(values_of(image)[0].evaluate(u)[:, :2], source.data.splinewright.value.evaluate(u)[:, :2], atol=1e-5)
+    ob.data.splinewright_parameters.lift_factor = "sin(t)"
+    assert "no polynomial of degree 4" in ob.data.splinewright.problem and ob.data.splinewright_parameters.lift_factor == "2 - t"
+
+
+def applied_lift(**settings):
+    source = add(sc.BezierCurve(PLANE, [1, 2, 0.5, 1]), "curve")
+    ob = made('lift', source, **{'height': 1.0, 'base': 'one', 'cone': 6, 'marker': 0.03, 'polygons': True, 'rays': True, 'plane': True, **settings})
+    assert op(bpy.ops.splinewright.make_editable) == {'FINISHED'}
+    return ob
+
+
+def test_an_applied_homogeneous_curve_keeps_what_stays_right_and_its_image_draws_rays_that_follow(capfd):
+    ob = applied_lift()
+    assert "would not follow the curve" in capfd.readouterr().out
+    assert set(pieces_named(ob)) == {"homogeneous curve", "mark O", "grid", "axis", "tick W = 0", "tick W = 1"}
+    require_exact(ob)
+    image = made('perspective', ob, rays=True, cone=4)
+    assert [pieces_named(image).count(name) for name in ("image", "ray", "cone")] == [1, 4, 5]
+    values = values_of(ob)
+    values[0] = values[0].with_points(values[0].points + [(0, 0, 0), (0, 0, 0), (0, 0, 0), (1, 0, 1)])
+    ob.data.splinewright.value = values
+    bpy.context.view_layer.update()
+    assert np.allclose(values_of(image)[0].weights, [1, 2, 0.5, 2], atol=1e-6)
+    last = values_of(image)[4].points
+    assert np.allclose(np.cross(last[1] - (0, 0, -1), (5, 0, 2)), 0, atol=1e-6) and np.linalg.norm(last[1] - (0, 0, -1)) > 5.38
+    require_exact(image)
+
+
+def test_applying_what_a_lift_shows_without_rays_leaves_all_of_it_and_says_nothing(capfd):
+    ob = applied_lift(rays=False, cone=0, polygons=False, marker=0.0)
+    assert "would not follow" not in capfd.readouterr().out and pieces_named(ob)[0] == "homogeneous curve"
+
+
+def test_a_new_value_of_an_applied_picture_keeps_names_and_materials():
+    ob = applied_lift()
+    names, slots = pieces_named(ob), [spline.material_index for spline in ob.data.splines]
+    values = values_of(ob)
+    ob.data.splinewright.value = [values[0].with_points(values[0].points + (0, 0, 1)), *values[1:]]
+    assert pieces_named(ob) == names and [spline.material_index for spline in ob.data.splines] == slots and len(set(slots)) > 2
+    assert piece_materials.colors_of(ob.data)["grid"] != piece_materials.colors_of(ob.data)["axis"]
+    ob.data.splinewright.value = values[1:]
+    assert pieces_named(ob) == names[1:]
+    ob.data.splinewright.value = [*values[2:], sc.BezierCurve(PLANE), sc.BezierCurve(PLANE), sc.BezierCurve(PLANE)]
+    assert pieces_named(ob) == names[2:] + [""] * 3 and len(names) == len(values)
 
 
 def test_the_image_of_a_curve_in_space_has_weights_by_its_height():

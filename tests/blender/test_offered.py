@@ -23,7 +23,7 @@ MENDED = {'make_periodic', 'remove_knots', 'reparameterize', 'split', 'remove_kn
 #: several edges can be rounded; what was just made can be made with other settings.
 TOLD_LATE = {('touched', 'adopt_transform'), ('revolved', 'add_revolve'), ('teapot', 'add_rounded_edge')}
 #: They open a dialog, work on the view, or are told by the panel what is meant.
-NOT_RUN = {'pick_piece', 'insert_here', 'measure_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here',
+NOT_RUN = {'pick_piece', 'choose_function', 'insert_here', 'measure_here', 'pull_here', 'split_here', 'join_here', 'extract_here', 'extract_side_here',
            'trim_here', 'extend_here', 'fillet_here', 'chamfer_here', 'round_here', 'set_knots', 'manual', 'bake_animation', 'export_json', 'export_bpt',
            'hold_seam', 'release_seam', 'hold_joint', 'release_joint', 'use_tool', 'start_lesson', 'start_lesson_file', 'show_lesson_folder',
            'collect_answers', 'new_lesson'}

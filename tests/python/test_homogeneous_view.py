@@ -47,6 +47,27 @@ def test_the_curve_in_space_divided_by_w_is_the_curve(space):
         assert np.allclose(places[is_there, :2] / w[is_there, None], plain[is_there, :2], rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize('eye, plane', (((0.0, 0.0, -1.0), 0.0), ((0.7, -2.0, 9.0), 1.5)))
+def test_rays_of_an_image_go_from_the_eye_through_points_and_images(eye, plane):
+    random = np.random.default_rng(5)
+    for curve in plane_curves(30):
+        space = sc.NurbsCurve(curve.degree, curve.knots, random.uniform(-5, 5, curve.points.shape), curve.weights)
+        parts = homogeneous.seen(space, eye, plane, True, 8)
+        image, rays = parts_of(parts, homogeneous.IMAGE)[0], parts_of(parts, homogeneous.RAY)
+        there = space.weights != 0.0
+        assert len(rays) == there.sum() and 1 <= len(parts_of(parts, homogeneous.CONE)) <= 9
+        for ray, point, shown, weight in zip(rays, space.points[there], image.points[there], image.weights[there]):
+            for place in (point, *([shown] if abs(weight) > 0.5 else [])):
+                assert distance_to(ray, place) < 1e-9 * max(1.0, np.abs(place).max())
+            assert distance_to(ray, np.array(eye)) < 1e-9
+
+
+def distance_to(segment, place):
+    start, end = segment.points
+    share = np.clip(np.dot(place - start, end - start) / np.dot(end - start, end - start), 0.0, 1.0)
+    return np.linalg.norm(start + share * (end - start) - place)
+
+
 @pytest.mark.parametrize('height', (1.0, 2.5, -0.7))
 def test_the_image_of_the_homogeneous_curve_is_the_curve_with_its_weights(height):
     for curve in plane_curves(30):

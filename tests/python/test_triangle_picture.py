@@ -111,3 +111,50 @@ def test_text_has_the_triangle():
     assert lines == ["  [0, 0]  0", "                0", "  [0, 0]  0           N0,2", "                N1,1", "  [0, 1]  N2,0        N1,2",
                      "                N2,1", "  [1, 1]  0           N2,2", "                0", "  [1, 1]  0"]
     assert "written up to" in formulas.text(sc.NurbsCurve(2, range(60), np.zeros((57, 3)) + np.arange(57)[:, None]), 0.5)
+
+
+def definition_of(parts):
+    definitions = core("shape.definition")
+    return definitions.named(definitions.from_value([part.curve for part in parts]), [part.name for part in parts])
+
+
+def value_of(knots, i, degree, u):
+    if degree == 0:
+        return float(knots[i] <= u < knots[i + 1])
+    def share(part, whole):
+        return part / whole if whole else 0.0
+    return (share(u - knots[i], knots[i + degree] - knots[i]) * value_of(knots, i, degree - 1, u)
+            + share(knots[i + degree + 1] - u, knots[i + degree + 1] - knots[i + 1]) * value_of(knots, i + 1, degree - 1, u))
+
+
+@pytest.mark.parametrize('degree, knots', KNOTS)
+def test_what_is_pointed_at_is_said_by_numbers_that_fit_the_functions(degree, knots):
+    knots = [float(knot) for knot in knots]
+    shown = triangle.items(definition_of(picture(degree, knots)))
+    assert [item.name for item in shown if item.is_span] == [f"[{a:.6g}, {b:.6g})" for a, b in pairwise(knots)]
+    assert len([item for item in shown if not item.is_span]) == sum(len(knots) - level - 1 for level in range(degree + 1))
+    for item in shown:
+        if item.is_span:
+            said = triangle.in_words(definition_of(picture(degree, knots, spans=[item.i])), item)
+            middle = (knots[item.i] + knots[item.i + 1]) / 2
+            on = [other.name for other in shown if not other.is_span and value_of(knots, other.i, other.degree, middle) > 0]
+            assert "is empty" in str(said) if middle == knots[item.i + 1] else str(said).endswith(": " + ", ".join(on))
+            continue
+        said = str(triangle.in_words(definition_of(picture(degree, knots, [(0, degree), (item.i, item.degree)])), item))
+        if item.is_zero or item.degree == 0:
+            assert ("is zero" in said) == (knots[item.i] == knots[item.i + item.degree + 1]) and item.name in said
+            continue
+        assert len(triangle.lines_of(definition_of(picture(degree, knots, [(item.i, item.degree)])), item)) == sum(
+            knots[i] < knots[i + item.degree] for i in (item.i, item.i + 1))
+        name, _, formula = said.partition(" = ")
+        left, right = formula.split(" + ")
+        for u in np.linspace(knots[0], knots[-1], 23):
+            terms = [eval(text, {'u': u}) * value_of(knots, i, item.degree - 1, u)       # noqa: S307
+                     for text, i in ((left.rpartition(" ")[0], item.i), (right.rpartition(" ")[0], item.i + 1))]
+            assert name == item.name and np.isclose(sum(terms), value_of(knots, item.i, item.degree, u), atol=1e-5)
+
+
+def test_a_support_is_said_without_coefficients():
+    shown = definition_of(picture(2, [0, 1, 2, 3], [(0, 2)], True))
+    item = next(item for item in triangle.items(shown) if item.name == "N0,2")
+    assert str(triangle.in_words(shown, item)) == "N0,2 and all that it depends on"

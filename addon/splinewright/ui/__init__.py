@@ -12,7 +12,7 @@ def _rooms():
                    formulas_panel, gizmos, handlers, hints, inputs_list, join_notice, keymaps, lesson_list_panel, lesson_maker_panel,
                    lessons_panel, measure_panel, menus, net_panel, net_props, net_toolbar, panels, pie, pieces_panel, point_keys_panel, point_props, props, recipe_props,
                    scene_tolerance, settings_panel, start_panel, toolbar)
-    from .operators import (add_curve, add_patch, add_recipe, add_sample, along_here, at_sides, axis_from_edge, bake, cap,
+    from .operators import (add_curve, add_patch, add_recipe, add_sample, along_here, at_sides, axis_from_edge, bake, cap, choose_function,
                             contour_through, curve_corners, curve_here, curve_join, curve_meeting, curve_through, divide,
                             draw_contour, draw_curve, edit, edit_linked, edit_source, exchange, extract, figure, fineness, fit_curve,
                             fit_patch, follow, form_verbs, formulas, from_objects, hold_joint, hold_seam, infinity, inputs,
@@ -25,7 +25,7 @@ def _rooms():
                  fit_curve, draw_curve, draw_contour, fit_patch, divide, project_points, axis_from_edge, native,
                  knot_verbs, form_verbs, curve_join, curve_corners, curve_meeting, patch_join, parting, cap,
                  make_deformable, hold_joint, hold_seam, extract, fineness, formulas, pick_piece, insert_here,
-                 curve_here, intersections, measure_here, measure_whole, pull_here, weight_here, along_here,
+                 curve_here, intersections, measure_here, choose_function, measure_whole, pull_here, weight_here, along_here,
                  key_points, move_knot, strip_keys, at_sides, touching_circle, round_here, select_seen, show_overlays,
                  update_now, use_tool, self_test, lesson_start, lessons, lesson_answers, lesson_making, lesson_questions)
     return (props, net_props, recipe_props, point_props, analysis_props, *operators, inputs_list, lessons_panel, lesson_list_panel, lesson_maker_panel, panels,

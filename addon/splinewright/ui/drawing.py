@@ -2,8 +2,8 @@
 
 import bpy
 
-from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, knot_strip_overlay, labels_overlay, lesson_overlay,
-               measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay,
+from . import (aim_overlay, analysis_overlay, axis_overlay, contour_overlay, edges_overlay, fed_overlay, knot_strip_overlay, labels_overlay,
+               lesson_overlay, measure_overlay, messages, numbers_overlay, overlay, pen_overlay, pull_overlay, seams_overlay, sections_overlay,
                stopped, weight_overlay)
 
 #: What Blender calls for each 3D view, in the space of the scene or in pixels.
@@ -21,9 +21,9 @@ _DRAWS = (
     (contour_overlay.draw, 'POST_VIEW'),
     (axis_overlay.draw, 'POST_VIEW'), (sections_overlay.draw, 'POST_VIEW'), (sections_overlay.draw_numbers, 'POST_PIXEL'),
     (edges_overlay.draw, 'POST_VIEW'), (edges_overlay.draw_numbers, 'POST_PIXEL'),
-    (measure_overlay.draw, 'POST_VIEW'),
+    (measure_overlay.draw, 'POST_VIEW'), (fed_overlay.draw, 'POST_VIEW'),
     (knot_strip_overlay.draw, 'POST_PIXEL'),
-    (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'),
+    (weight_overlay.draw, 'POST_PIXEL'), (measure_overlay.draw_words, 'POST_PIXEL'), (fed_overlay.draw_words, 'POST_PIXEL'),
     (lesson_overlay.draw, 'POST_PIXEL'), (stopped.draw, 'POST_PIXEL'), (messages.draw, 'POST_PIXEL'),
 )
 

@@ -129,7 +129,7 @@ PICTURES = Menu('pictures', "Pictures", (
            ('perspective', 'NONE')), *_made(FOLLOWED, ('discs', 'NONE'), ('hulls', 'NONE'), ('influence', 'NONE'))), 'IMAGE_DATA')
 TEACHING = Menu('teaching', "Teaching", (
     *_made(CURVES, ('basis', 'GRAPH'), ('basis_triangle', 'NONE'), ('construction', 'NONE')), *_made(SURFACES, ('basis_products', 'GRAPH')), PICTURES,
-    *_others(SHAPES, 'write_formulas'), *_made(FOLLOWED, ('labels', 'FONT_DATA')), _sight('LABELS'), _sight('AXES')), 'HELP')
+    *_others(CURVE, 'choose_function'), *_others(SHAPES, 'write_formulas'), *_made(FOLLOWED, ('labels', 'FONT_DATA')), _sight('LABELS'), _sight('AXES')), 'HELP')
 SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name not in ('LABELS', 'AXES')), 'OVERLAY')
 
 OBJECT_TOOLS = Menu('object_tools', "Tools", (

@@ -51,6 +51,7 @@ class UiState:
     contour: tuple = None                               # while one is drawn: the core.drawing.contours.Contour, and that with the next point
     pulled: tuple = None                                # while a shape is pulled by a point: a pull_overlay.Pull
     measured: tuple = None                              # while one measures by a click: a measure_overlay.Measured
+    fed: tuple = None                                   # while a function is chosen by a click: a fed_overlay.Fed
     weighing: tuple = None                              # while weights change by the mouse: a weight_overlay.Weighing
     moved_knot: tuple = None                            # while a knot is moved: a knot_strip.Moved
     pointed_knot: tuple = None                          # of the knot strip, at the mouse: a knot_strip.Pointed

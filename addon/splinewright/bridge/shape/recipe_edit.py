@@ -7,6 +7,7 @@ import numpy as np
 from ...core.base.failures import FAILURES, Refusal
 from ...core.base.library import sc
 from ...core.base.words import phrase
+from ...core.recipes.table import RECIPES
 from ...core.shape import definition as definitions
 from ..cage import free_net
 from ..curve import curve_layers
@@ -41,6 +42,22 @@ def set_parameters(data, changes):
 def set_points(data, points):
     """Give a recipe other points (n, 3). Raises, and changes nothing, if it cannot be made."""
     _remake(data, recipes.parameters(data), np.asarray(points, dtype=np.float64))
+
+
+def end(data):
+    """Drop the recipe of a shape. Returns a sentence about what would not be right without it and is left out, or "". Raises Refusal,
+    and changes nothing, if it cannot be done."""
+    shape.require_writable(data)
+    recipe = RECIPES.get(recipes.kind(data))
+    before = store.read(data) if recipe and recipe.applied else None
+    left = before and recipe.applied(before)
+    if left is None or len(left.pieces) == len(before.pieces):
+        recipes.remove(data)
+        return ""
+    shape.set_definition(data, left)
+    recipes.remove(data)
+    return phrase("{name} keeps its curve and the plane: rays, polygons and marks would not follow the curve; rays of a Perspective Image do",
+                  name=data.name)
 
 
 def take_along(data, matrix, moved):

@@ -82,8 +82,10 @@ def set_value(data, value):
     """
     recipes.require_free(data)
     seams, types = held.known(data), handles.known(data)
-    before = store.read(data) if seams else None        # a damaged one is replaced all the same
-    set_definition(data, definitions.from_value(value))
+    before, wanted = None, definitions.from_value(value)
+    with suppress(store.UnreadableDefinition):          # a damaged one is replaced all the same
+        before = store.read(data)
+    set_definition(data, definitions.with_names_of(wanted, before) if before else wanted)
     held.carry(data, seams, before)
     handles.write(data, fitting(types, store.read(data)))
 

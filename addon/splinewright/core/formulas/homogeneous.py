@@ -3,6 +3,7 @@
 W is drawn along z: the plane W = 1 is the plane of the curve, or 0 lies in it.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from ..base import decimals
 from ..base.failures import Refusal
 from ..base.library import sc
+from ..shape import definition as definitions
 from . import axes, signs
 from .functions import AXIS, TICK, Part, line
 
@@ -19,6 +21,8 @@ RAY, CONE, ORIGIN = "ray", "cone", f"{signs.MARK} O"
 _FLAT = 1e-6
 #: Lines of the grid on the plane W = 1 along each axis, and how far it reaches beyond what lies there, as a part of that.
 _LINES, _BEYOND = 9, 0.15
+#: The highest degree of a factor of all coordinates.
+MOST_DEGREE = 4
 #: So many times as far as the farthest control point from 0 rays reach at most.
 _REACH = 3.0
 
@@ -28,14 +32,22 @@ class Space(NamedTuple):
 
     height: float                       # of W = 1 above W = 0
     base: float                         # the W that is at z = 0
+    x: float = 0.0                      # where 0 lies, beside its height
+    y: float = 0.0
 
     def at(self, rows):
         """(…, 3) of homogeneous points (…, 4) without their Z."""
-        return np.stack([rows[..., 0], rows[..., 1], self.height * (rows[..., 3] - self.base)], axis=-1)
+        return np.stack([rows[..., 0] + self.x, rows[..., 1] + self.y, self.height * (rows[..., 3] - self.base)], axis=-1)
+
+    def rows_at(self, places):
+        """at() backwards."""
+        x, y, z = np.moveaxis(places, -1, 0)
+        return np.stack([x - self.x, y - self.y, np.zeros_like(x), z / self.height + self.base], axis=-1)
 
     def image(self, rows):
         """(…, 4): homogeneous points of space that are the images on W = 1."""
-        return np.stack([rows[..., 0], rows[..., 1], self.height * (1.0 - self.base) * rows[..., 3], rows[..., 3]], axis=-1)
+        x, y, _, w = np.moveaxis(rows, -1, 0)
+        return np.stack([x + self.x * w, y + self.y * w, self.height * (1.0 - self.base) * w, w], axis=-1)
 
 
 def space_of(height, is_on_curve):
@@ -48,6 +60,51 @@ def space_of(height, is_on_curve):
 def multiplied(curve, start, end):
     """A curve, its homogeneous coordinates times the linear function that is `start` and `end` at its ends."""
     return curve if start == end == 1.0 else curve.multiplied(start, end)
+
+
+def factor_of(formula, domain):
+    """(m + 1,): the Bernstein coefficients over a domain of the polynomial that a Formula is; one alone where it is constant. Raises Refusal."""
+    made, _ = sc.build.curve_from_formulas([formula, "0"], domain)
+    found = made.points[:, 0]
+    if made.degree > MOST_DEGREE:
+        raise Refusal("a(t) is no polynomial of degree {most} or less", most=MOST_DEGREE)
+    if not found.any():
+        raise Refusal("a(t) is 0: nothing is left of the curve")
+    return found[:1] if (found == found[0]).all() else found
+
+
+def multiplied_by(curve, coefficients):
+    """A NurbsCurve, its homogeneous coordinates times the polynomial with these Bernstein coefficients over its domain: of the degree of
+    both together, not periodic unless the polynomial is constant. Where that is 0 the curve goes through 0."""
+    if len(coefficients) == 1:
+        rows = coefficients[0] * curve.homogeneous_points
+        return curve if coefficients[0] == 1.0 else sc.NurbsCurve.from_homogeneous(curve.degree, curve.knots, rows, curve.periodic)
+    plain, last = curve.unrolled() if curve.periodic else curve, len(coefficients) - 1
+    power = _Rows(plain.degree, plain.knots, plain.homogeneous_points)
+    found = power._replace(rows=coefficients[0] * power.rows)
+    for i in range(1, last + 1):        # Horner's scheme: times 1 - s, and s^i beside it
+        power, found = _times(power, 0.0, 1.0), _times(found, 1.0, 0.0)
+        found = found._replace(rows=found.rows + coefficients[i] * math.comb(last, i) * power.rows)
+    return sc.NurbsCurve.from_homogeneous(*found)
+
+
+class _Rows(NamedTuple):
+    """A spline of four coordinates, all of which may be 0."""
+
+    degree: int
+    knots: np.ndarray
+    rows: np.ndarray                    # (n, 4)
+
+
+def _times(spline, start, end):
+    """_Rows times the linear function that is `start` and `end` at the ends of the domain. The library multiplies by positive ones: that is
+    the difference of two of them."""
+    parts = []
+    for columns in (spline.rows[:, :3], np.pad(spline.rows[:, 3:], ((0, 0), (0, 2)))):
+        plain = sc.NurbsCurve(spline.degree, spline.knots, columns)
+        more, once = plain.multiplied(1.0 + start, 1.0 + end), plain.multiplied(1.0, 1.0)
+        parts.append(more.homogeneous_points[:, :3] - once.homogeneous_points[:, :3])
+    return _Rows(more.degree, more.knots, np.column_stack([parts[0], parts[1][:, 0]]))
 
 
 def lifted(curve, space):
@@ -75,7 +132,7 @@ def picture(curve, space, marker, has_polygons, has_plane, rays, cone):
         parts += _polygons(rows, space, curve.periodic)
     if rays:
         parts += [ray for row in rows for ray in _ray(RAY, row, space, reach)]
-    parts += [ray for row in _steps(curve, upon, space, cone) for ray in _ray(CONE, row, space, reach)]
+    parts += [ray for row in _steps(upon, space, cone) for ray in _ray(CONE, row, space, reach)]
     if has_plane:
         parts += _plane(rows, space)
     return parts + _marks(rows, space, marker)
@@ -94,13 +151,13 @@ def _polygons(rows, space, is_closed):
     return [Part(POLYGON, signs.polyline(space.at(rows))), *(Part(IMAGE_POLYGON, one) for one in signs.polygon(space.image(rows)))]
 
 
-def _steps(curve, upon, space, count):
-    """(n, 4): homogeneous points at equal steps of the parameter."""
+def _steps(upon, space, count):
+    """(n, 4): homogeneous points of a curve in space at equal steps of the parameter, without those at infinity."""
     if count == 0:
         return np.empty((0, 4))
-    start, end = curve.domain
-    places = upon.evaluate(start + (end - start) * np.arange(count + 1) / count)
-    return np.column_stack([places[:, :2], np.zeros(count + 1), places[:, 2] / space.height + space.base])
+    start, end = upon.domain
+    places = upon.evaluate(start + (end - start) * np.arange(count + 1) / count, at_infinity='nan')
+    return space.rows_at(places[np.isfinite(places).all(axis=1)])
 
 
 def _ray(name, row, space, reach):
@@ -168,6 +225,36 @@ def image(curve, eye, plane):
     seen = np.array([[1, 0, -x / z, 0], [0, 1, -y / z, 0], [0, 0, 0, 0], [0, 0, -1 / z, 1]])
     found = curve.transformed(up @ seen @ down)
     return curve.transformed(up @ -seen @ down) if found.weights.max() <= 0.0 else found
+
+
+def seen(curve, eye, plane, rays, cone):
+    """The Parts of image(), and of rays as picture() has them: through the eye, the points of the curve in space and their images."""
+    x, y, z = eye
+    parts = [Part(IMAGE, image(curve, eye, plane))]
+    space = Space(plane - z, -z / (plane - z), x, y)
+    rows = _directions(curve, space)
+    if not len(rows):
+        return parts
+    reach = _REACH * _farthest(rows, space)
+    chosen = [(RAY, rows if rays else []), (CONE, _steps(curve, space, cone))]
+    return parts + [ray for name, those in chosen for row in those for ray in _ray(name, row, space, reach)]
+
+
+def _directions(curve, space):
+    """(n, 4): the homogeneous points of a Space at the control points of a curve in space: those at infinity are left out."""
+    return space.rows_at(curve.points[curve.weights != 0.0])
+
+
+#: What stays right when the homogeneous curve is edited by itself.
+_FIXED = (CURVE, ORIGIN, AXIS, axes.GRID)
+
+
+def applied(definition):
+    """What of a picture() does not depend on its curve, and the curve: rays and marks would not follow it."""
+    names = [piece.name for piece in definition.pieces]
+    stays = [name in _FIXED or name.startswith(f"{TICK} ") for name in names]
+    curves = [curve for curve, this in zip(definitions.to_value(definition), stays) if this]
+    return definitions.named(definitions.from_value(curves), [name for name, this in zip(names, stays) if this])
 
 
 def view_of(definition):

@@ -21,12 +21,11 @@ def parts(patch, position):
         across, grid = _of_points(patch)
         described = _net(patch, across)
     found = [described, _power(patch, across, grid)]
-    for letter, way in zip("uv", across):
-        start, end = way.domain
-        u = start + Fraction(str(position)) * (end - start)
+    at = [way.domain[0] + Fraction(str(position)) * (way.domain[1] - way.domain[0]) for way in across]
+    for letter, way, u in zip("uv", across, at):
         found.append([f"Along {letter}:", *_matrices(way, letter)])
         found.append(triangles.basis_lines(way, u, letter) if way.degree <= spline.MATRIX_DEGREE else [])
-    return found
+    return [*found, _steps(patch, across, grid, at)]
 
 
 def _of_points(patch):
@@ -93,6 +92,27 @@ def _rows(letter, net, weights=None):
 
 def _matrices(way, letter):
     return spline.matrix_lines(way, letter, lambda indices: f"rows {indices[0]} to {indices[-1]}")
+
+
+def _steps(patch, across, grid, at):
+    """Lecture row S20: the algorithm of curves along u in each row of points, then along v on what these give."""
+    if across[0].kind == 'Hermite':
+        return []
+    name = "de Casteljau's" if across[0].kind == 'Bezier' else "de Boor's"
+    if max(way.degree for way in across) > spline.MATRIX_DEGREE:
+        return [f"{name} algorithm is written up to degree {spline.MATRIX_DEGREE}"]
+    (u_way, v_way), (u, v), (count, row_count) = across, at, patch.points.shape[:2]
+    allowed = written.allowed_for(patch.points)
+    u_text, v_text = (written.number(place, way.allowed) for place, way in zip(at, across))
+    lines = [f"{name} algorithm at u = {u_text}, v = {v_text}, along u in each row j of points that acts there, then along v: {triangles.STEPS}:"]
+    span, found = exact.span_of(v_way.degree, v_way.knots, v), {}
+    for j in range(span - v_way.degree, span + 1):
+        levels = exact.de_boor(u_way.degree, u_way.knots, [row[j] for row in grid], u)
+        found[j] = levels[-1][0].row
+        row = j % row_count
+        lines += [f"  row {row}, which gives Q{row}:", *triangles.step_lines(levels, lambda i, row=row: f"P{i % count},{row}", allowed, "    ")]
+    levels = exact.de_boor(v_way.degree, v_way.knots, found, v)
+    return [*lines, "  along v, of these:", *triangles.step_lines(levels, lambda j: f"Q{j % row_count}", allowed, "    ")]
 
 
 def _power(patch, across, grid):

@@ -4,11 +4,13 @@ A chosen function shows the two that feed it with both coefficients of Cox and d
 all functions that are not zero there.
 """
 
+import re
 from typing import NamedTuple
 
 import numpy as np
 
 from ..base.failures import Refusal
+from ..base.words import phrase
 from . import functions, signs
 from .functions import TICK, Part
 
@@ -19,6 +21,20 @@ MOST = 150
 _FREE = 0.22
 #: How far the border of a wedge lies around it, as a part of the distance of functions.
 _AROUND = 0.35
+
+
+_FUNCTION = re.compile(signs.MARK + r' N_\{(\d+),(\d+)\}( = 0)?')
+
+
+class Item(NamedTuple):
+    """A function or a span of a picture."""
+
+    is_span: bool
+    i: int
+    degree: int                         # of a function
+    is_zero: bool                       # whether a function is, everywhere
+    name: str                           # as it is written
+    point: tuple                        # (3,): where it stands
 
 
 class Scheme(NamedTuple):
@@ -73,6 +89,55 @@ def picture(of, chosen, is_support, spans, marker):
         _name(names, _wedge(of, span), f"{WEDGE} {span}")
     links = [(link, names.get(link, LINK)) for link in _links(of)]
     return _functions(of, marker) + [_arrow(of, link, name) for link, name in links] + texts + [_border(of, span) for span in spans]
+
+
+def items(definition):
+    """The Items of a picture()."""
+    found, spans = [], 0
+    for piece in definition.pieces:
+        function = _FUNCTION.fullmatch(piece.name)
+        if not function and not piece.name.startswith(f"{TICK} "):
+            continue
+        rows = definition.pool[piece.indices, :3]
+        place = tuple(((rows.min(axis=0) + rows.max(axis=0)) / 2.0).tolist())
+        if function:
+            i, degree = map(int, function.groups()[:2])
+            found.append(Item(False, i, degree, function[3] is not None, f'N{i},{degree}', place))
+        else:
+            found.append(Item(True, spans, 0, False, piece.name.partition(" ")[2], place))
+            spans += 1
+    return found
+
+
+def in_words(definition, item):
+    """What a picture() points out, where it was given this Item last."""
+    known = {(each.i, each.degree): each for each in items(definition) if not each.is_span}
+    if item.is_span:
+        on = [each.name for (i, degree), each in known.items() if item.i - degree <= i <= item.i]
+        is_empty = known[item.i, 0].is_zero
+        return phrase("the span {span} is empty", span=item.name) if is_empty else phrase(
+            "not zero on {span}: {names}", span=item.name, names=", ".join(on))
+    if item.is_zero:
+        return phrase("{name} is zero: its knots coincide", name=item.name)
+    if item.degree == 0:
+        return phrase("{name} is 1 on its span, and 0 elsewhere", name=item.name)
+    texts = [piece.name.partition(" ")[2] for piece in definition.pieces
+             if piece.name.startswith(f"{signs.MARK} ") and not _FUNCTION.fullmatch(piece.name)]
+    if not any(piece.name == f"{PARENTS} {item.i},{item.degree}" for piece in definition.pieces) or len(texts) < 2:
+        return phrase("{name} and all that it depends on", name=item.name)
+    one, other = (known[i, item.degree - 1].name for i in (item.i, item.i + 1))
+    return f'{item.name} = {_factor(texts[-2])} {one} + {_factor(texts[-1])} {other}'
+
+
+def _factor(text):
+    """A coefficient as it stands before a function."""
+    return f'({text})' if text[0] == "-" or "/" not in text and not text.isalnum() else text
+
+
+def lines_of(definition, item):
+    """The polylines (n, 3) that point out an Item of a picture()."""
+    names = {f"{WEDGE} {item.i}"} if item.is_span else {f"{name} {item.i},{item.degree}" for name in (PARENTS, SUPPORT)}
+    return [definition.pool[piece.indices, :3] for piece in definition.pieces if piece.name in names]
 
 
 def _name(names, links, name):

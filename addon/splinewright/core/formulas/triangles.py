@@ -65,16 +65,20 @@ def de_boor_lines(spline, rows, u, count, allowed):
     if spline.kind != 'NURBS':
         return []
     levels = exact.de_boor(spline.degree, spline.knots, rows, u)
-    lines = [f"de Boor's algorithm at u = {written.number(u, spline.allowed)}: points and weights by level, each "
-             "(1 - a) times the one before it and a times its own, of the level above:"]
-    for level, steps in enumerate(levels):
-        lines.append(f"  {level}:  " + "   ".join(_step(step, level, count, allowed) for step in steps))
-    return lines
+    return [f"de Boor's algorithm at u = {written.number(u, spline.allowed)}: {STEPS}:",
+            *step_lines(levels, lambda number: f"P{number % count}", allowed, "  ")]
 
 
-def _step(step, level, count, allowed):
-    name = f"P{step.number % count}" if level == 0 else f"a = {written.number(step.ratio)}"
-    return f"{name}  {written.point(step.row, allowed)}"
+#: What step_lines() write.
+STEPS = "points and weights by level, each (1 - a) times the one before it and a times its own, of the level above"
+
+
+def step_lines(levels, name_of, allowed, indent):
+    """Levels of exact.Step. name_of: (number of a control point) -> what it is called."""
+    def one(step, level):
+        name = name_of(step.number) if level == 0 else f"a = {written.number(step.ratio)}"
+        return f"{name}  {written.point(step.row, allowed)}"
+    return [f"{indent}{level}:  " + "   ".join(one(step, level) for step in steps) for level, steps in enumerate(levels)]
 
 
 def casteljau_lines(spline, rows, u, allowed):

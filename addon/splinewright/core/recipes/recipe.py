@@ -108,6 +108,7 @@ class Recipe:
     is_measured: bool = False           # distances count: make() takes inputs as long as in the world, and what it makes comes back
     has_places: bool = False            # in place of points it has objects, any number: make() takes where they are
     takes_cancel: bool = False          # it may take long: make() takes a `cancel` as the library does
+    applied: Callable | None = None     # (definition) -> what is left of it without the recipe, where that is not all
     has_groups: bool = False            # of points, any number of them; make() refuses parts of one
     radius_asked: str = ""              # the parameter that asks for the radius along its first input: make() takes it as
                                         # `factor`, a curve over the parameters of that of which x is the radius, or None

@@ -142,6 +142,23 @@ def named(definition, names):
     return replace(definition, pieces=tuple(replace(piece, name=name) for piece, name in zip(definition.pieces, names, strict=True)))
 
 
+def with_names_of(definition, before):
+    """A definition with the names of the pieces of another one: in their order where there are as many, else of pieces that are equal."""
+    if len(definition.pieces) == len(before.pieces):
+        return named(definition, [piece.name for piece in before.pieces])
+    known = {}
+    for piece in before.pieces:
+        known.setdefault(_bits(before, piece), []).append(piece.name)
+    found = (known.get(_bits(definition, piece)) for piece in definition.pieces)
+    return named(definition, [names.pop(0) if names else "" for names in found])
+
+
+def _bits(definition, piece):
+    """What two pieces have in common that are equal."""
+    plain = replace(piece, name="")
+    return plain.layout, definition.pool[piece.indices].tobytes(), *(np.asarray(knots).tobytes() for knots in piece.knots)
+
+
 def _kept(curve):
     return curve.to_nurbs() if isinstance(curve, sc.PowerCurve) else curve
 

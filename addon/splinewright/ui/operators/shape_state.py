@@ -6,7 +6,7 @@ from bpy.props import BoolProperty
 from ...bridge.edit import transforming
 from ...bridge.keys import point_keys
 from ...bridge.recipes import recipes
-from ...bridge.shape import shape
+from ...bridge.shape import recipe_edit, shape
 from ...core.base.failures import Refusal
 from . import reports
 from .selected import OnSelected
@@ -47,8 +47,10 @@ class SPLINEWRIGHT_OT_make_editable(_OnShapes, bpy.types.Operator):
     def work(self, context, ob):
         if not recipes.has(ob.data):
             raise Refusal("it follows nothing, has no recipe and is editable already")
-        shape.require_writable(ob.data)
-        recipes.remove(ob.data)
+        return recipe_edit.end(ob.data)
+
+    def said(self, outcomes):
+        return reports.Report(self.summary(outcomes), warnings=tuple(filter(None, outcomes.values())))
 
 
 class SPLINEWRIGHT_OT_apply_transform(_OnShapes, bpy.types.Operator):
