@@ -1,4 +1,4 @@
-"""Measure by Click: what is said and shown of a place, and how it comes into the panel."""
+"""The tool Measure: what is said and shown of a place, and how it comes into the panel."""
 
 import bpy
 import numpy as np

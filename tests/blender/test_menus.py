@@ -176,6 +176,16 @@ def test_a_command_is_in_one_menu():
     assert not of_tools & set(objects), "what takes clicks is a tool, and no entry beside it"
 
 
+def test_what_a_tool_does_is_called_as_the_tool():
+    """In Undo History, and in menus: but for verbs where a tool has none."""
+    labels = {tool.name: (tool.label, getattr(bpy.types, tool.operator.replace(".", "_OT_").replace("splinewright", "SPLINEWRIGHT")).bl_label)
+              for tool in tool_table.TOOLS.values()}
+    assert {name: label for name, (own, label) in labels.items() if label != own} == {
+        'weight': "Change Weight", 'radius': "Change Radius", 'tilt': "Change Tilt", 'draw_on_surface': "Draw Curve on Surface"}
+    assert not [name for name in dir(bpy.ops.splinewright)
+                if "click" in getattr(bpy.ops.splinewright, name).get_rna_type().name.lower()], "a tool and a command are not told apart so"
+
+
 def test_every_tool_is_found_by_f3():
     """By the entry of a menu that chooses it, or the operator's own entry, in each mode where the tool is."""
     for mode, top in (('OBJECT', menu_table.OBJECT), ('EDIT_MESH', menu_table.NET), ('EDIT_CURVE', menu_table.NET)):

@@ -73,7 +73,7 @@ class SPLINEWRIGHT_PT_measure_place(_Measuring, bpy.types.Panel):
     @staticmethod
     def draw_measured(layout, data, matrix, definition, seconds):
         chosen, count = data.splinewright, len(definition.pieces)
-        layout.operator("splinewright.measure_here", icon='EYEDROPPER')
+        layout.operator("splinewright.measure_here", text="Pick Place", icon='EYEDROPPER')
         if count > 1:
             fields.number(layout, chosen, "piece")
         layout.prop(chosen, "measure_u", slider=True)
