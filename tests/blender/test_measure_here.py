@@ -23,7 +23,7 @@ def patience(monkeypatch):
 
 
 def words(place):
-    """{name: numbers} of a Place."""
+    """{name: numbers} of a point."""
     named = (line.split(" ", 1) for line in place.words[1:])
     return {name: list(map(float, numbers.split(", "))) for name, numbers in named}
 
