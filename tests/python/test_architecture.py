@@ -297,6 +297,14 @@ def test_operators_report_through_one_function_only():
         assert len(calls) == (path.name == "reports.py"), path
 
 
+def test_modal_operators_have_one_base():
+    for _, path in addon_files():
+        is_base = path.name == "gesture.py"
+        assert ("modal_handler_add" in path.read_text()) == is_base, path
+        defined = [node.name for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.FunctionDef)]
+        assert ('modal' in defined) == is_base, path
+
+
 def test_windows_wait_until_it_is_so_and_never_a_fixed_time():
     for path in (PROJECT / "tests" / "gui").glob("*.py"):
         assert not re.search(r'\byield +[\d.]|\bsleep\(', path.read_text()), path
