@@ -8,7 +8,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).parent))
 import by_keys
-from window import View, empty_file, into_net, redrawn, run, save_picture, until
+from window import View, empty_file, redrawn, run, save_picture, until
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 
@@ -38,13 +38,6 @@ def patch(view):
     yield from added(view, 'add_nurbs_patch')
 
 
-def net(view):
-    yield from patch(view)
-    with view.override():
-        bpy.ops.splinewright.edit_net()
-    yield from into_net()
-
-
 def tool(*names):
     """Whether one of these tools is in use."""
     def holds():
@@ -62,15 +55,14 @@ def made(kind):
 
 
 WORDS = (("loft", sections, made('MESH')), ("sweep", profile_and_rail, made('MESH')), ("trim", curve, tool('trim')), ("fillet", curve, tool('fillet')),
-         ("zebra", patch, sight('stripes')), ("stripes", patch, sight('stripes')), ("comb", curve, sight('comb')),
-         ("curvature", patch, sight('curvature')), ("continuity", patch, lambda: bpy.context.object.data.splinewright.show_seams),
-         ("knot", net, tool('insert_knot')), ("weight", net, tool('weight')))
+         ("zebra", patch, sight('stripes')), ("stripes", patch, sight('stripes')), ("comb", curve, sight('comb')))
 
 
 def steps():
     view = View()
     for word, begin, holds in WORDS:
         empty_file()
+        bpy.context.scene.splinewright_sights.stripes = False      # "zebra" has switched them on
         yield from begin(view)
         assert not holds(), word
         view.move(420, 420)
@@ -78,10 +70,6 @@ def steps():
         save_picture(OUTPUT / f"f3-{word}.png")
         yield from until(holds, f"F3 finds {word}")
         print(word, flush=True)
-        if bpy.context.mode != 'OBJECT':
-            with view.override():
-                bpy.ops.splinewright.leave_net()
-            yield from redrawn()
 
 
 run(steps())
