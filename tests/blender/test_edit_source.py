@@ -110,7 +110,7 @@ def test_in_the_result_the_words_name_the_way_back():
     ob = in_result()
     assert "the generated mesh, not the net" in messages.sentence(bpy.context.view_layer)[0][0]
     said = drawn()
-    assert all(word in said for word in ("the generated mesh, not the net", "Back to the Net", "Restore", "Detach"))
+    assert all(word in said for word in ("the generated mesh, not the net", "Back to the Net", "Discard Manual Changes", "Convert to Plain Mesh/Curve"))
     bpy.ops.object.mode_set(mode='OBJECT')
     assert messages.sentence(bpy.context.view_layer) == [] and not shape.is_touched(ob.data)
 

@@ -174,7 +174,7 @@ def test_patches_that_share_a_border_stay_together_and_the_seam_holds(is_net):
 
 
 def clicked(aimed, name='insert_here'):
-    """(what Insert Knot by Click or another one returns for a click, what it reports)."""
+    """(what the tool Insert Knot or another one returns for a click, what it reports)."""
     cls, said = getattr(bpy.types, f"SPLINEWRIGHT_OT_{name}"), []
     own = {key: vars(base)[key] for base in cls.__mro__[::-1] for key in ('clicked', 'done_at') if key in vars(base)}
     stand_in = type("Clicked", (), {**own, 'report': lambda self, kind, text: said.append((kind, text))})()

@@ -124,8 +124,7 @@ def test_the_menu_of_x_takes_a_patch_out_of_a_net():
 def _of_x():
     """Operators that are added to Blender's menu of X."""
     menus, layout = part('ui.menus'), Layout()
-    assert ("VIEW3D_MT_edit_mesh_delete", menus._draw_delete) in menus._TOPS
-    menus._draw_delete(SimpleNamespace(layout=layout), bpy.context)
+    dict(menus._FIRST)["VIEW3D_MT_edit_mesh_delete"](SimpleNamespace(layout=layout), bpy.context)
     return layout.operators
 
 

@@ -1,4 +1,4 @@
-"""Measure by Click: what is said and shown of a place, and how it comes into the panel."""
+"""The tool Measure: what is said and shown of a place, and how it comes into the panel."""
 
 import bpy
 import numpy as np
@@ -23,7 +23,7 @@ def patience(monkeypatch):
 
 
 def words(place):
-    """{name: numbers} of a Place."""
+    """{name: numbers} of a point."""
     named = (line.split(" ", 1) for line in place.words[1:])
     return {name: list(map(float, numbers.split(", "))) for name, numbers in named}
 

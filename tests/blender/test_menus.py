@@ -1,5 +1,8 @@
 """Menus of objects hold entries on what is selected, and no others."""
 
+import ast
+import inspect
+import re
 from types import SimpleNamespace
 
 import bpy
@@ -63,7 +66,7 @@ class Drawn(list):
 def drawn(menu):
     """What we add to one of Blender's menus, with what lies below."""
     layout = Drawn()
-    for name, draw in (*menus._PLACES, *menus._TOPS):
+    for name, draw in (*menus._AT_ENDS, *menus._FIRST):
         if name == menu:
             draw(SimpleNamespace(layout=layout), bpy.context)
     return layout
@@ -149,7 +152,7 @@ STATES = {'nothing': lambda: None, 'curve': lambda: add(value_of('nurbs')), 'pat
 @pytest.mark.parametrize('state', STATES)
 def test_no_menu_has_more_than_14_entries_or_is_higher_than_500_pixels(state):
     STATES[state]()
-    for name, _ in (*menus._PLACES, *menus._TOPS):
+    for name, _ in (*menus._AT_ENDS, *menus._FIRST):
         for menu, size in drawn(name).sizes.items():
             assert 0 < size['entries'] <= 14, (menu, size)
             assert ENTRY * (1 + size['entries']) + LINE * size['lines'] <= 500, (menu, size)
@@ -174,6 +177,32 @@ def test_a_command_is_in_one_menu():
     of_tools = {tool.operator.partition(".")[2] for tool in tool_table.TOOLS.values()}
     assert {*objects, *adding, *nets} | of_tools | ELSEWHERE == set(dir(bpy.ops.splinewright))
     assert not of_tools & set(objects), "what takes clicks is a tool, and no entry beside it"
+
+
+def test_no_entry_is_written_beside_the_table():
+    """menus.py draws what the table has, and names no operator; toolbar and menu have the same tools, in the same groups."""
+    names = [node.value for node in ast.walk(ast.parse(inspect.getsource(menus))) if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    assert not [name for name in names if re.search(r"splinewright\.\w", name)]
+    assert {place.menu for place in menu_table.PLACES} == {menu for menu, _ in (*menus._AT_ENDS, *menus._FIRST)}
+    for modes, menu in ((('OBJECT',), menu_table.OBJECT_TOOLS), (('EDIT_MESH', 'EDIT_CURVE'), menu_table.NET_TOOLS)):
+        groups = [[tool.name for tool in group if set(tool.modes) & set(modes) and not tool.is_always] for group in tool_table.GROUPS]
+        names = [entry and entry.settings[0][1] for entry in menu.entries]
+        assert names == [name for group in groups if group for name in (None, *group)][1:]
+
+
+def test_files_are_imported_and_exported_by_entries_of_the_table():
+    assert drawn("TOPBAR_MT_file_import") == ["import_bpt", "import_json"]
+    assert drawn("TOPBAR_MT_file_export") == ["export_bpt", "export_json", "export_figure"]
+
+
+def test_what_a_tool_does_is_called_as_the_tool():
+    """In Undo History, and in menus: but for verbs where a tool has none."""
+    labels = {tool.name: (tool.label, getattr(bpy.types, tool.operator.replace(".", "_OT_").replace("splinewright", "SPLINEWRIGHT")).bl_label)
+              for tool in tool_table.TOOLS.values()}
+    assert {name: label for name, (own, label) in labels.items() if label != own} == {
+        'weight': "Change Weight", 'radius': "Change Radius", 'tilt': "Change Tilt", 'draw_on_surface': "Draw Curve on Surface"}
+    assert not [name for name in dir(bpy.ops.splinewright)
+                if "click" in getattr(bpy.ops.splinewright, name).get_rna_type().name.lower()], "a tool and a command are not told apart so"
 
 
 def test_every_tool_is_found_by_f3():

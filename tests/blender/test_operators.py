@@ -13,10 +13,10 @@ from support import part
 
 OPERATORS = sorted(name for name in dir(bpy.ops.splinewright))
 VERBS = {'Accept', 'Add', 'Apply', 'Ask', 'Bake', 'Blend', 'Bring', 'Cap', 'Chamfer', 'Change', 'Check', 'Choose', 'Clamp', 'Clear', 'Collect', 'Convert',
-         'Delete', 'Detach', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
+         'Delete', 'Discard', 'Divide', 'Draw', 'Edit', 'Elevate', 'Explode', 'Export', 'Extend', 'Extract', 'Extrude', 'Fair',
          'Fill', 'Fillet', 'Finish', 'Fit', 'Flip', 'Import', 'Insert', 'Join', 'Key', 'Leave', 'Lock', 'Loft', 'Make', 'Mark',
          'Match', 'Measure', 'Mirror', 'Move', 'Normalize', 'Offset', 'Pick', 'Project', 'Pull', 'Rebuild', 'Reduce', 'Reload',
-         'Remove', 'Reparameterize', 'Restore', 'Reverse', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort',
+         'Remove', 'Reparameterize', 'Reverse', 'Revolve', 'Round', 'Separate', 'Set', 'Show', 'Smooth', 'Sort',
          'Split', 'Start', 'Swap', 'Sweep', 'Switch', 'Thicken', 'Trim', 'Unclamp', 'Unlock', 'Update', 'Write'}
 
 

@@ -75,8 +75,18 @@ def test_what_is_offered(state):
     made(state)
     assert start_panel.SPLINEWRIGHT_PT_start.poll(bpy.context)
     layout = drawn()
-    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or ({'import_json', 'add_sample', 'start_lesson', 'manual'} if not STATES[state][0] or state == 'a cube' else set()))
-    assert ("Add" in layout.texts) == ('import_json' in " ".join(layout.operators))
+    is_empty = not STATES[state][0] or state == 'a cube'
+    assert {name.partition(".")[2] for name in layout.operators} == (STATES[state][1] or ({'add_sample', 'start_lesson', 'manual'} if is_empty else set()))
+    assert start_panel.SPLINEWRIGHT_PT_start_add.poll(bpy.context) == is_empty
+
+
+def test_with_nothing_there_are_three_buttons_and_the_rest_is_folded():
+    layout = drawn()
+    assert [name.partition(".")[2] for name in layout.operators] == ['add_sample', 'manual', 'start_lesson'] and not layout.menus
+    rest = start_panel.SPLINEWRIGHT_PT_start_add
+    assert 'DEFAULT_CLOSED' in rest.bl_options and rest.bl_parent_id == start_panel.SPLINEWRIGHT_PT_start.bl_idname
+    layout = drawn_by(rest, bpy.context)
+    assert layout.menus == [menu_table.ADD_CURVE.idname, menu_table.ADD_SURFACE.idname] and layout.operators == ["splinewright.import_json"]
 
 
 @pytest.mark.parametrize('state, names', [

@@ -124,8 +124,12 @@ def test_a_net_that_holds_what_its_shape_does_not_take_is_not_put_away():
     assert bpy.context.object == held and held.mode == 'EDIT' and np.array_equal(shown(ob), before)
 
 
+#: Of its two places the last one is that of nets.
+HEADER = "VIEW3D_MT_editor_menus"
+
+
 def test_the_menu_of_nets_is_on_top_of_the_context_menus():
-    assert [menu for menu, _ in menus._TOPS] == [
+    assert [menu for menu, _ in menus._FIRST] == [
         "VIEW3D_MT_edit_mesh_context_menu", "VIEW3D_MT_edit_curve_context_menu", "VIEW3D_MT_edit_mesh_delete",
         "VIEW3D_MT_edit_curve_delete"]
 
@@ -133,12 +137,12 @@ def test_the_menu_of_nets_is_on_top_of_the_context_menus():
 @pytest.mark.parametrize('kind', ('nurbs', 'plain nurbs'))
 def test_the_menu_of_a_net_holds_what_works_there(kind):
     layout = Drawn()
-    for _, draw in (*menus._TOPS, ("header", menus._draw_net_header)):
+    for draw in (*(draw for _, draw in menus._FIRST), dict(menus._AT_ENDS)[HEADER]):
         draw(SimpleNamespace(layout=layout), bpy.context)
     assert layout == []
     add(value_of(kind) if kind == 'nurbs' else patches.value_of(kind))
     enter()
-    menus._draw_net_header(SimpleNamespace(layout=layout), bpy.context)
+    dict(menus._AT_ENDS)[HEADER](SimpleNamespace(layout=layout), bpy.context)
     names = [name for name in layout if name.islower() and "." not in name]
     assert set(CURVE if kind == 'nurbs' else PATCH) <= set(names) and 'extract_boundary' not in names and 'join_ends' not in names
     gray = {name for name in names if not getattr(bpy.ops.splinewright, name).poll()}

@@ -1,4 +1,4 @@
-"""Measure by Click: what is at the mouse is shown there, a click takes it into the panel, Esc leaves it; Ctrl+Z."""
+"""The tool Measure: what is at the mouse is shown there, a click takes it into the panel, Esc leaves it; Ctrl+Z."""
 
 import os
 import sys

@@ -211,7 +211,7 @@ def the_pie(view):
     view.press('LEFTMOUSE')
     yield from redrawn()
     view.move(*view.pixel_of(value().evaluate(sum(value().domain) / 2)))
-    yield from until(lambda: STATE.aimed is not None, "Insert Knot by Click was the entry to the left")
+    yield from until(lambda: STATE.aimed is not None, "Insert Knot was the entry to the left")
     view.press('ESC')
     yield from until(lambda: STATE.aimed is None, "Esc ends it")
     print("the pie", flush=True)

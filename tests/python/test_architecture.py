@@ -297,6 +297,45 @@ def test_operators_report_through_one_function_only():
         assert len(calls) == (path.name == "reports.py"), path
 
 
+def test_modal_operators_have_one_base():
+    for _, path in addon_files():
+        is_base = path.name == "gesture.py"
+        assert ("modal_handler_add" in path.read_text()) == is_base, path
+        defined = [node.name for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.FunctionDef)]
+        assert ('modal' in defined) == is_base, path
+
+
+#: Where the words of an error are taken apart: the library has no other way to say which item it means, a module that does not load why;
+#: Blender's begin with "Error: ".
+READERS = {("library.py", '_load'), ("failures.py", 'about_items'), ("failures.py", 'blenders_refusals')}
+
+
+def readers(source):
+    """Names of functions that take the words of an exception apart, or compare them."""
+    for function in ast.walk(ast.parse(source)):
+        if not isinstance(function, ast.FunctionDef):
+            continue
+        caught = {node.name for node in ast.walk(function) if isinstance(node, ast.ExceptHandler) and node.name}
+        for node in ast.walk(function):
+            is_compared = isinstance(node, ast.Compare) and [node.left, *node.comparators]
+            is_taken = isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and [node.func.value]
+            is_searched = isinstance(node, ast.Call) and ast.unparse(node.func).startswith("re.") and node.args
+            for part in (*(is_compared or ()), *(is_taken or ()), *(is_searched or ())):
+                if any(ast.unparse(inner) in {f"{way}" for name in caught for way in (f"str({name})", f"{name}.args[0]", f"sentence({name})")}
+                       for inner in ast.walk(part)):
+                    yield function.name
+
+
+def test_no_logic_reads_the_words_of_an_error():
+    found = {(path.name, name) for _, path in addon_files() for name in readers(path.read_text())}
+    assert found == READERS
+    taken = "def f():\n try:\n  g()\n except E as error:\n  "
+    for line in ("return 'curve' in str(error)", "return str(error).replace('at', 'u')", "return re.sub('a', 'b', str(error))",
+                 "return error.args[0] == 'no'"):
+        assert list(readers(taken + line)), line
+    assert not list(readers(taken + "return name(str(error))"))
+
+
 def test_windows_wait_until_it_is_so_and_never_a_fixed_time():
     for path in (PROJECT / "tests" / "gui").glob("*.py"):
         assert not re.search(r'\byield +[\d.]|\bsleep\(', path.read_text()), path

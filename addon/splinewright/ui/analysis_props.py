@@ -59,7 +59,7 @@ class SplinewrightSights(bpy.types.PropertyGroup):
         "Osculating Circle", "Draw osculating circle and frame at a parameter: tangent in red, normal in green, binormal in "
                              "blue")
     place: FloatProperty(
-        name="Place", description="Where on the curve, as a part of its domain",
+        name="Position", description="Where on the curve, as a part of its domain",
         default=0.5, min=0.0, max=1.0, subtype='FACTOR', options=set())
     frame_length: FloatProperty(
         name="Frame Length", description="How long its axes are, in units of the object",

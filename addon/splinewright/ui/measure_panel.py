@@ -67,13 +67,13 @@ class SPLINEWRIGHT_PT_measure(_Measuring, bpy.types.Panel):
 
 class SPLINEWRIGHT_PT_measure_place(_Measuring, bpy.types.Panel):
     bl_idname = "SPLINEWRIGHT_PT_measure_place"
-    bl_label = "At a Place"
+    bl_label = "At a Point"
     bl_parent_id = "SPLINEWRIGHT_PT_measure"
 
     @staticmethod
     def draw_measured(layout, data, matrix, definition, seconds):
         chosen, count = data.splinewright, len(definition.pieces)
-        layout.operator("splinewright.measure_here", icon='EYEDROPPER')
+        layout.operator("splinewright.measure_here", text="Pick Point", icon='EYEDROPPER')
         if count > 1:
             fields.number(layout, chosen, "piece")
         layout.prop(chosen, "measure_u", slider=True)

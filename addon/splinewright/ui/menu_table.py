@@ -1,15 +1,13 @@
-"""All our menus: their entries, and which kinds of selected objects an entry concerns. menus.py shows them.
-
-Where a menu belongs in Blender says menus.py, too. For each kind of object an operator stands in one menu.
-"""
+"""All our menus: their entries, which kinds of selected objects an entry concerns, and where they belong in Blender's own menus.
+menus.py shows them. For each kind of object an operator stands in one menu."""
 
 from typing import NamedTuple
 
 from . import object_kinds
 from .operators.show_overlays import SIGHTS
-from .tool_table import TOOLS
+from .tool_table import GROUPS, NETS
 
-CURVE, PATCH, NATIVE, BAKED = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked'))
+CURVE, PATCH, NATIVE, BAKED, MESH = (frozenset({kind}) for kind in ('curve', 'patch', 'native', 'baked', 'mesh'))
 SHAPES, FOLLOWED = object_kinds.SHAPES, object_kinds.FOLLOWED
 CURVES, SURFACES = CURVE | NATIVE, PATCH | NATIVE
 #: Whatever is selected.
@@ -33,6 +31,19 @@ class Native(NamedTuple):
 
     operator: str
     modes: frozenset
+
+
+class Place(NamedTuple):
+    """Entries and menus in one of Blender's menus: at its end, or first. has_line: whether a line parts them from Blender's own;
+    mode: 'NETS' where nets are edited, 'OTHERS' where none is, 'OBJECT' for Object Mode with something selected that concerns us;
+    is_header: whether it is a bar, where menus have no icons."""
+
+    menu: str
+    entries: tuple
+    mode: str = ""
+    is_first: bool = False
+    has_line: bool = True
+    is_header: bool = False
 
 
 class Menu(NamedTuple):
@@ -69,9 +80,11 @@ def _made(concerns, *kinds_and_icons):
     return tuple(Entry(f"add_{kind}", concerns, icon) for kind, icon in kinds_and_icons)
 
 
-def _tools(concerns, *names):
-    """Entries that choose tools of the toolbar, so that F3 finds them."""
-    return tuple(Entry('use_tool', concerns, text=TOOLS[name].label, settings=(('tool', name),)) for name in names)
+def _tools(*modes):
+    """Entries that choose the toolbar's tools of these modes, by its groups, so that F3 finds them. What draws is under Add."""
+    groups = [[Entry('use_tool', tool.concerns, text=tool.label, settings=(('tool', tool.name),))
+               for tool in group if not tool.is_always and set(modes) & set(tool.modes)] for group in GROUPS]
+    return tuple(entry for group in groups if group for entry in (None, *group))[1:]
 
 
 def _from_numbers(icon, *names):
@@ -132,13 +145,8 @@ TEACHING = Menu('teaching', "Teaching", (
     *_others(CURVE, 'choose_function'), *_others(SHAPES, 'write_formulas'), *_made(FOLLOWED, ('labels', 'FONT_DATA')), _sight('LABELS'), _sight('AXES')), 'HELP')
 SHOW = Menu('show', "Show", tuple(_sight(name) for name in SIGHTS if name not in ('LABELS', 'AXES')), 'OVERLAY')
 
-OBJECT_TOOLS = Menu('object_tools', "Tools", (
-    *_tools(SHAPES, 'insert_knot', 'split'), *_tools(PATCH, 'isocurve', 'edge'), None,
-    *_tools(CURVE, 'trim', 'extend', 'fillet', 'chamfer'), *_tools(PATCH, 'round_edges'), None,
-    *_tools(SHAPES, 'pull'), *_tools(PATCH, 'join'), None, *_tools(SHAPES, 'measure', 'pick')), 'TOOL_SETTINGS')
-NET_TOOLS = Menu('net_tools', "Tools", (
-    *_tools(SHAPES, 'insert_knot', 'split', 'pull'), None, *_tools(SHAPES, 'weight'), *_tools(CURVE, 'radius', 'tilt'), None,
-    *_tools(SHAPES, 'measure')), 'TOOL_SETTINGS')
+OBJECT_TOOLS = Menu('object_tools', "Tools", _tools('OBJECT'), 'TOOL_SETTINGS')
+NET_TOOLS = Menu('net_tools', "Tools", _tools(*NETS), 'TOOL_SETTINGS')
 
 #: In the header and in the context menu, in Object Mode.
 OBJECT = Menu('object', "NURBS", (
@@ -185,6 +193,34 @@ ADD_SURFACE = Menu('surface_add', "NURBS", (
 
 #: What menus of Blender's begin with.
 TOPS = (OBJECT, NET, ADD_CURVE, ADD_SURFACE)
+
+# In Blender's own menus ---------------------------------------------------------------------------
+
+_DELETED = (Entry('delete_pieces', icon='SURFACE_DATA'),)       # Blender's X takes points away, which a net has to keep
+PLACES = (
+    Place("VIEW3D_MT_curve_add", (ADD_CURVE,)),
+    Place("VIEW3D_MT_surface_add", (ADD_SURFACE,)),
+    Place("VIEW3D_MT_object_context_menu", (OBJECT,), 'OBJECT'),
+    Place("VIEW3D_MT_object_apply", (Entry('apply_transform', text="Transform of NURBS"),)),
+    Place("VIEW3D_MT_object_convert", (
+        Entry('make_exact', object_kinds.INEXACT, text="NURBS Shape (Exact)"), Entry('add_of_mesh', MESH, text="NURBS from Mesh"),
+        Entry('to_native', text="Blender Curve/Surface from NURBS"))),
+    Place("VIEW3D_MT_edit_mesh_vertices", (
+        Entry('curve_through_points', ANY, text="NURBS Curve Through Points"),
+        Entry('contour_through_points', ANY, text="NURBS Contour Through Points"),
+        Entry('fit_curve', ANY, text="Fit NURBS Curve"), Entry('fit_patch', ANY, text="Fit NURBS Patch")), 'OTHERS'),
+    Place("VIEW3D_MT_edit_mesh_faces", (Entry('patch_through_grid', ANY, text="NURBS Patch Through Grid"),), 'OTHERS'),
+    Place("VIEW3D_MT_editor_menus", (OBJECT,), 'OBJECT', has_line=False, is_header=True),
+    Place("VIEW3D_MT_editor_menus", (NET,), 'NETS', has_line=False, is_header=True),
+    Place("TOPBAR_MT_file_import", (
+        Entry('import_bpt', ANY, text="Bezier Patches (.bpt)"),
+        Entry('import_json', ANY, text="Splinewright Exact Curves and Patches (.spw.json)")), has_line=False),
+    Place("TOPBAR_MT_file_export", (
+        Entry('export_bpt', ANY, text="Bezier Patches (.bpt)"),
+        Entry('export_json', ANY, text="Splinewright Exact Curves and Patches (.spw.json)"),
+        Entry('export_figure', ANY, text="Figure (.svg, .pdf)")), has_line=False),
+    *(Place(f"VIEW3D_MT_edit_{kind}_context_menu", (NET,), 'NETS', is_first=True) for kind in ('mesh', 'curve')),
+    *(Place(f"VIEW3D_MT_edit_{kind}_delete", _DELETED, 'NETS', is_first=True) for kind in ('mesh', 'curve')))
 
 
 def menus_in(menu):

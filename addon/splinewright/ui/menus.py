@@ -1,4 +1,4 @@
-"""The menus of ui.menu_table as Blender's, and our entries in Blender's own menus."""
+"""The menus and places of ui.menu_table as Blender has them."""
 
 import bpy
 
@@ -66,121 +66,47 @@ def draw_link(layout, menu, **more):
 # Blender's own menus ------------------------------------------------------------------------------
 
 
-def _draw_curve_add(self, context):
-    self.layout.separator()
-    draw_link(self.layout, menu_table.ADD_CURVE)
+def _draw_place(layout, place, context):
+    """The entries that concern the selection; those that would be refused are gray."""
+    entries = _entries_now(place, context)
+    if entries and place.has_line and not place.is_first:
+        layout.separator()
+    for entry in entries:
+        if place.is_header:
+            layout.menu(entry.idname)
+        else:
+            _draw_entry(layout, entry, context)
+    if entries and place.has_line and place.is_first:
+        layout.separator()
 
 
-def _draw_surface_add(self, context):
-    self.layout.separator()
-    draw_link(self.layout, menu_table.ADD_SURFACE)
+def _entries_now(place, context):
+    has_nets, selected = bool(editing.nets_in_edit_mode(context)), object_kinds.selected(context)
+    if not {'NETS': has_nets, 'OTHERS': not has_nets, 'OBJECT': context.mode == 'OBJECT' and bool(selected)}.get(place.mode, True):
+        return []
+    selected |= {'mesh'} if any(map(read_polygons.is_mesh, context.selected_objects)) else set()
+    return [entry for entry in place.entries
+            if place.mode == 'NETS' or isinstance(entry, menu_table.Menu) or entry.concerns is menu_table.ANY or entry.concerns & selected]
 
 
-def _draw_vertices(self, context):
-    if not editing.nets_in_edit_mode(context):
-        self.layout.separator()
-        self.layout.operator("splinewright.curve_through_points", text="NURBS Curve Through Points")
-        self.layout.operator("splinewright.contour_through_points", text="NURBS Contour Through Points")
-        self.layout.operator("splinewright.fit_curve", text="Fit NURBS Curve")
-        self.layout.operator("splinewright.fit_patch", text="Fit NURBS Patch")
+def _drawing(place):
+    def draw(self, context):
+        _draw_place(self.layout, place, context)
+    return draw
 
 
-def _draw_faces(self, context):
-    if not editing.nets_in_edit_mode(context):
-        self.layout.separator()
-        self.layout.operator("splinewright.patch_through_grid", text="NURBS Patch Through Grid")
-
-
-def _draw_import(self, context):
-    self.layout.operator("splinewright.import_bpt", text="Bezier Patches (.bpt)")
-    self.layout.operator("splinewright.import_json", text="Splinewright Exact Curves and Patches (.spw.json)")
-
-
-def _draw_export(self, context):
-    self.layout.operator("splinewright.export_bpt", text="Bezier Patches (.bpt)")
-    self.layout.operator("splinewright.export_json", text="Splinewright Exact Curves and Patches (.spw.json)")
-    self.layout.operator("splinewright.export_figure", text="Figure (.svg, .pdf)")
-
-
-def _draw_apply(self, context):
-    if object_kinds.selected(context) & object_kinds.SHAPES:
-        self.layout.separator()
-        self.layout.operator("splinewright.apply_transform", text="Transform of NURBS")
-
-
-def _draw_convert(self, context):
-    found = object_kinds.selected(context)
-    if found:
-        self.layout.separator()
-    if object_kinds.INEXACT & found:
-        self.layout.operator("splinewright.make_exact", text="NURBS Shape (Exact)")
-    if any(map(read_polygons.is_mesh, context.selected_objects)):
-        self.layout.operator("splinewright.add_of_mesh", text="NURBS from Mesh")
-    if found & object_kinds.SHAPES:
-        self.layout.operator("splinewright.to_native", text="Blender Curve/Surface from NURBS")
-
-
-def _draw_object_header(self, context):
-    if context.mode == 'OBJECT' and object_kinds.selected(context):
-        self.layout.menu(menu_table.OBJECT.idname)
-
-
-def _draw_object_context(self, context):
-    if object_kinds.selected(context):
-        self.layout.separator()
-        draw_link(self.layout, menu_table.OBJECT)
-
-
-def _draw_net_header(self, context):
-    if editing.nets_in_edit_mode(context):
-        self.layout.menu(menu_table.NET.idname)
-
-
-def _draw_net_context(self, context):
-    """On top of Blender's context menu."""
-    if editing.nets_in_edit_mode(context):
-        draw_link(self.layout, menu_table.NET)
-        self.layout.separator()
-
-
-def _draw_delete(self, context):
-    """Blender's X takes points away, which a net has to keep."""
-    if editing.nets_in_edit_mode(context):
-        self.layout.operator("splinewright.delete_pieces", icon='SURFACE_DATA')
-        self.layout.separator()
-
-
-#: Blender's menus that ours are added to, at the end or before all else.
-_PLACES = (
-    ("VIEW3D_MT_curve_add", _draw_curve_add),
-    ("VIEW3D_MT_surface_add", _draw_surface_add),
-    ("VIEW3D_MT_object_context_menu", _draw_object_context),
-    ("VIEW3D_MT_object_apply", _draw_apply),
-    ("VIEW3D_MT_object_convert", _draw_convert),
-    ("VIEW3D_MT_edit_mesh_vertices", _draw_vertices),
-    ("VIEW3D_MT_edit_mesh_faces", _draw_faces),
-    ("VIEW3D_MT_editor_menus", _draw_object_header),
-    ("VIEW3D_MT_editor_menus", _draw_net_header),
-    ("TOPBAR_MT_file_import", _draw_import),
-    ("TOPBAR_MT_file_export", _draw_export),
-)
-
-
-_TOPS = (
-    ("VIEW3D_MT_edit_mesh_context_menu", _draw_net_context),
-    ("VIEW3D_MT_edit_curve_context_menu", _draw_net_context),
-    ("VIEW3D_MT_edit_mesh_delete", _draw_delete),
-    ("VIEW3D_MT_edit_curve_delete", _draw_delete),
-)
+#: (Blender's menu, what draws our entries there), of each Place.
+_AT_ENDS, _FIRST = (tuple((place.menu, _drawing(place)) for place in menu_table.PLACES if place.is_first == is_first)
+                    for is_first in (False, True))
 
 
 def register():
-    for menu, draw in _PLACES:
+    for menu, draw in _AT_ENDS:
         getattr(bpy.types, menu).append(draw)
-    for menu, draw in _TOPS:
+    for menu, draw in _FIRST:
         getattr(bpy.types, menu).prepend(draw)
 
 
 def unregister():
-    for menu, draw in (*_PLACES, *_TOPS):
+    for menu, draw in (*_AT_ENDS, *_FIRST):
         getattr(bpy.types, menu).remove(draw)

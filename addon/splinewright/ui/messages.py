@@ -33,7 +33,7 @@ def sentence(layer):
 def _of_result(ob):
     if ob is not None and ob.mode == 'EDIT' and shape.has_shape(ob):
         yield phrase("{name}: this is the generated mesh, not the net: changes here count as made by hand", name=ob.name), WARNING
-        yield "Back to the Net, Restore and Detach are in the sidebar; Tab leaves", NOTE
+        yield "The sidebar leads back to the net, discards such changes or keeps them; Tab leaves", NOTE
 
 
 def _of_edited(ob):

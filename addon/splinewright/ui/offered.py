@@ -19,7 +19,7 @@ def why_not(data):
     if recipes.has(data):
         return "It is made by its numbers: Apply Construction ends that"
     if shape.seems_touched(data):
-        return "It was changed by hand: Restore or Detach comes first"
+        return "It was changed by hand: first use Discard Manual Changes, or Convert to Plain Mesh/Curve"
     return ""
 
 

@@ -69,7 +69,7 @@ def _draw_state(layout, ob):
     if ob.mode == 'EDIT':
         texts.draw_problem(layout, "This is the generated mesh, not the net: changes here count as made by hand")
         column = layout.column(align=True)
-        for how, text in (('NET', "Back to the Net"), ('RESTORE', "Restore"), ('DETACH', "Detach")):
+        for how, text in (('NET', "Back to the Net"), ('RESTORE', "Discard Manual Changes"), ('DETACH', "Convert to Plain Mesh/Curve")):
             column.operator("splinewright.leave_result", text=say(text)).how = how
     elif recipes.follows(data):
         layout.operator("splinewright.edit_source", icon='EDITMODE_HLT')

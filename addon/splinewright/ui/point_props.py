@@ -35,7 +35,7 @@ class SplinewrightKeyedPoint(bpy.types.PropertyGroup):
     row: IntProperty(name="Point", description="Its number among the points of the shape; -1 for one that is gone",
                      default=point_keys.GONE, options={'HIDDEN'})
     stage: IntProperty(options={'HIDDEN'})
-    place: FloatVectorProperty(name="Place", description="Location of the control point, or vector of a tangent or direction "
+    place: FloatVectorProperty(name="Location", description="Location of the control point, or vector of a tangent or direction "
                                                          "at infinity, for keys and drivers", subtype='XYZ', unit='LENGTH',
                                precision=5, update=_changed)
     weight: FloatProperty(name="Weight", description="Weight of the control point, not 0, for keys and drivers", default=1.0, precision=5, step=10, update=_changed)

@@ -6,6 +6,7 @@ from ..bridge.lessons import stage
 from ..core.base.words import say
 from . import editing, menu_table, menus, object_kinds, offered, texts
 from .operators import add_sample
+from .sub_panel import ClosedPanel
 
 #: Labels and operators by what is selected.
 _NATIVE = ("Exact", ('make_exact', 'follow_object'))
@@ -82,13 +83,26 @@ class SPLINEWRIGHT_PT_start(bpy.types.Panel):
         if more:
             _draw_menus(layout.column(align=True), more)
         elif not made:
-            layout.label(text="Add")
-            _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
-            layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
-            add_sample.draw(layout)
-            layout.operator("splinewright.start_lesson", text="First Lesson", icon='PLAY')
-            layout.operator_menu_enum("splinewright.start_lesson", "lesson", icon='HELP')
-            layout.operator("splinewright.manual", text="First Steps", icon='HELP').page = "five-minutes.html"
+            column = layout.box().column(align=True)
+            add_sample.draw(column)
+            column.operator("splinewright.manual", text="First Steps", icon='HELP').page = "five-minutes.html"
+            column.operator("splinewright.start_lesson", text="First Lesson", icon='PLAY')
+
+
+class SPLINEWRIGHT_PT_start_add(ClosedPanel, bpy.types.Panel):
+    bl_idname = "SPLINEWRIGHT_PT_start_add"
+    bl_label = "Add"
+    bl_parent_id = "SPLINEWRIGHT_PT_start"
+
+    @classmethod
+    def poll(cls, context):
+        return _is_empty(context)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.operator_context = 'INVOKE_REGION_WIN'
+        _draw_menus(layout.column(align=True), (("Curve", menu_table.ADD_CURVE), ("Surface", menu_table.ADD_SURFACE)))
+        layout.operator("splinewright.import_json", text="Import", icon='IMPORT')
 
 
 def _draw_groups(layout, made):
@@ -104,4 +118,4 @@ def _draw_menus(column, linked):
         menus.draw_link(column, menu, text=text)
 
 
-CLASSES = (SPLINEWRIGHT_PT_start,)
+CLASSES = (SPLINEWRIGHT_PT_start, SPLINEWRIGHT_PT_start_add)

@@ -176,7 +176,7 @@ class Settings:
         name="Sharp Angle", description="Edges across which the exact normals differ by more are marked sharp",
         default=math.radians(1.0), min=0.0, max=math.pi, subtype='ANGLE', update=_changed)
     reach: FloatProperty(
-        name="Reach", description="How far beyond its points a curve that runs to infinity is shown",
+        name="Display Length", description="How far beyond its points a curve that runs to infinity is shown",
         default=10.0, min=0.001, max=1e6, soft_max=1000.0, unit='LENGTH', update=_changed)
     update_mode: EnumProperty(
         name="Update", description="When the shape is updated while its inputs change; saved files and rendered frames are always exact",

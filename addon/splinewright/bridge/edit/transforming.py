@@ -13,7 +13,7 @@ from ..mesh import stamp
 from ..recipes import placing, recipes
 from ..shape import recipe_edit, shape
 
-_CURES = "Restore throws the changes away, Detach keeps them"
+_CURES = "Discard Manual Changes makes the shape again, Convert to Plain Mesh/Curve keeps them"
 _ANIMATED = {'location': "its location is animated: the keys or drivers would move the shape away again",
              'rotation': "its rotation is animated: the keys or drivers would move the shape away again",
              'scale': "its scale is animated: the keys or drivers would move the shape away again"}

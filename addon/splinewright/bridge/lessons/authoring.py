@@ -49,7 +49,7 @@ def present(obs, names, depsgraph):
 
 def _present(ob, names, depsgraph):
     if shape.is_touched(ob.data):
-        raise Refusal("{name} was changed by hand: Restore it first", name=ob.name)
+        raise Refusal("{name} was changed by hand: use Discard Manual Changes first", name=ob.name)
     stored, faces = recipes.read(ob.data), _faces(ob.data)
     why = _why_value(ob, stored, names, depsgraph) if stored else ""
     if stored is None or why:

@@ -294,6 +294,6 @@ def require_writable(data):
 def require_untouched(data):
     """Raises Refusal where writing would throw away what others made of the geometry."""
     if is_touched(data):
-        raise Refusal("{name} was changed by hand since Splinewright wrote it: Restore throws the changes away, Detach keeps them "
-                      "and ends the shape",
+        raise Refusal("{name} was changed by hand since Splinewright wrote it: Discard Manual Changes makes it again, "
+                      "Convert to Plain Mesh/Curve keeps them and ends the shape",
                       name=data.name)

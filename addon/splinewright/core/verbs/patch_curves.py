@@ -57,10 +57,17 @@ def _isocurve(patch, wanted):
     parameter = parameters.snapped(parameter, parameters.knots_of(Along(patch, axis)))
     try:
         curve = patch.isocurve(axis, parameter)
-    except sc.InvalidShape as error:
-        return None, str(error).replace("at =", f"{axis} =")
+    except sc.InvalidShape:
+        return None, _why_none(patch, axis, parameter)
     return (None, phrase("at {axis} = {parameter:.6g} it is a point",
                          axis=axis, parameter=parameter)) if _is_point(curve, patch) else (curve, "")
+
+
+def _why_none(patch, axis, parameter):
+    start, end = patch.domain['uv'.index(axis)]
+    if start <= parameter <= end:
+        return phrase("at {axis} = {parameter:.6g} it lies at infinity", axis=axis, parameter=parameter)
+    return phrase("{axis} = {parameter:.6g} is outside the domain [{start:.6g}, {end:.6g}]", axis=axis, parameter=parameter, start=start, end=end)
 
 
 def side_of(patch, side):

@@ -68,7 +68,7 @@ def patches_of(obs):
 
 class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.join_here"
-    bl_label = "Join Patches by Click"
+    bl_label = "Join Patches"
     bl_description = "Click an edge of a patch, then the edge to join with it, of the same or the other shape"
     count = 2
 
@@ -100,7 +100,7 @@ class SPLINEWRIGHT_OT_join_here(_PicksSides, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_extract_side_here(_PicksSides, bpy.types.Operator):
     bl_idname = "splinewright.extract_side_here"
-    bl_label = "Extract Edge by Click"
+    bl_label = "Extract Edge"
     bl_description = "Click an edge of a patch to extract it as an exact curve, in a new shape"
     hint = "Click an edge of a patch   |   Esc, Right Mouse: Cancel"
 

@@ -88,7 +88,7 @@ class _OnCurve(ByClick):
 
 class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.trim_here"
-    bl_label = "Trim by Click"
+    bl_label = "Trim"
     bl_description = "Click the part of a curve to remove, up to where it meets other visible curves"
     thing, does = "Part at {numbers}", "Click: trim"
 
@@ -105,7 +105,7 @@ class SPLINEWRIGHT_OT_trim_here(_OnCurve, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_extend_here(_OnCurve, bpy.types.Operator):
     bl_idname = "splinewright.extend_here"
-    bl_label = "Extend by Click"
+    bl_label = "Extend"
     bl_description = "Click a curve near an end to extend it to where it meets another visible curve"
     thing, does = "End nearest to {numbers}", "Click: extend"
 
@@ -186,7 +186,7 @@ class _PicksCurves(Pointing):
 
 class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):
     bl_idname = "splinewright.fillet_here"
-    bl_label = "Fillet by Click"
+    bl_label = "Fillet"
     bl_description = "Click two curves on the parts that stay: an arc of a circle goes between them"
     passed = ('radius',)
 
@@ -199,7 +199,7 @@ class SPLINEWRIGHT_OT_fillet_here(_PicksCurves, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_chamfer_here(_PicksCurves, bpy.types.Operator):
     bl_idname = "splinewright.chamfer_here"
-    bl_label = "Chamfer by Click"
+    bl_label = "Chamfer"
     bl_description = "Click two curves on the parts that stay: a segment goes between them"
     passed = ('first_length', 'second_length')
 

@@ -137,8 +137,8 @@ class SPLINEWRIGHT_OT_leave_result(bpy.types.Operator):
 
     how: EnumProperty(name="How", options={'SKIP_SAVE'}, items=(
         ('NET', "To the Net", "Edit the net, or what the shape follows; changes by hand must be none"),
-        ('RESTORE', "Restore", "Throw the changes by hand away"),
-        ('DETACH', "Detach", "Keep them and end the shape")))
+        ('RESTORE', "Discard Manual Changes", "Make the mesh or curve again from the definition"),
+        ('DETACH', "Convert to Plain Mesh/Curve", "Keep the changes and drop the definition")))
 
     @classmethod
     def poll(cls, context):

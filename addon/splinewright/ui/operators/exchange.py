@@ -184,7 +184,7 @@ def _exported(context):
 
 
 #: Of a shape whose mesh or curve is not what its definition shows.
-_CHANGED = "changes made by hand are not in the file: it holds the definition, which Restore shows"
+_CHANGED = "changes made by hand are not in the file: it holds the definition, which Discard Manual Changes shows"
 _NO_PATCH = "BPT holds patches, this is a curve"
 
 

@@ -120,7 +120,7 @@ class ByClick(Gesture):
 
 class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.insert_here"
-    bl_label = "Insert Knot by Click"
+    bl_label = "Insert Knot"
     bl_description = "Click a curve or patch to insert a knot there; the shape does not change, but gets more control points"
     thing, does = "Knot at {numbers}", "Click: insert"
 
@@ -130,7 +130,7 @@ class SPLINEWRIGHT_OT_insert_here(ByClick, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.split_here"
-    bl_label = "Split by Click"
+    bl_label = "Split"
     bl_description = "Click the curve or patch where it is to be split in two; the shape stays the same"
     thing, does = "Cut at {numbers}", "Click: split"
 
@@ -140,7 +140,7 @@ class SPLINEWRIGHT_OT_split_here(ByClick, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_extract_here(ByClick, bpy.types.Operator):
     bl_idname = "splinewright.extract_here"
-    bl_label = "Extract Isocurve by Click"
+    bl_label = "Extract Isocurve"
     bl_description = "Click a patch to extract an exact isocurve there, as a new shape"
     thing, does = "Isocurve at {numbers}", "Click: extract"
     dimensions = (2,)

@@ -83,7 +83,7 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
     nothing = "there is no point to key"
     done = "Keys of {what} at frame {frame}"
 
-    place: BoolProperty(name="Place", description="Set keys of where points lie, and of the vectors of tangents and "
+    place: BoolProperty(name="Location", description="Set keys of where points lie, and of the vectors of tangents and "
                         "directions", default=True)
     weight: BoolProperty(name="Weight", description="Set keys of the weights, of points that have one", default=True)
 
@@ -91,7 +91,7 @@ class SPLINEWRIGHT_OT_key_points(_OnPoints, bpy.types.Operator):
 
     def work(self, data, rows, frame):
         if not self.place and not self.weight:
-            raise Refusal("choose Place, Weight or both")
+            raise Refusal("choose Location, Weight or both")
         rows = range(len(store.pool(data))) if rows is None else rows
         return point_keying.insert(data, rows, frame, self.place, self.weight)
 

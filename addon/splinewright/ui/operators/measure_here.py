@@ -16,7 +16,7 @@ from .pointing import Pointing
 
 class SPLINEWRIGHT_OT_measure_here(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.measure_here"
-    bl_label = "Measure by Click"
+    bl_label = "Measure"
     bl_description = ("Show parameters, point, curvatures and torsion of a shape at the mouse; click to measure there in the "
                       "panel")
     bl_options = {'UNDO'}

@@ -22,7 +22,7 @@ _RECIPE = RECIPES['rounded_edge']
 
 class SPLINEWRIGHT_OT_round_here(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.round_here"
-    bl_label = "Round Edges by Click"
+    bl_label = "Round Edges"
     bl_description = "Click the edges to round, of selected surfaces or of the active Round Edge; Enter finishes"
     bl_options = {'REGISTER'}
 

@@ -6,6 +6,7 @@ from bpy.props import StringProperty
 
 from ...bridge.net import selection
 from .. import editing, picking, seeing
+from .gesture import Gesture
 
 _PASSED = {'PASS_THROUGH', 'CANCELLED'}
 #: Blender's keymap of the view. It is asked after all others: what has been taken there is no more, but may be dragged.
@@ -17,7 +18,7 @@ _MODIFIERS = ('shift', 'ctrl', 'alt', 'oskey')
 _NEAREST = {(True, False, False): seeing.nearest_vertex, (False, True, False): seeing.nearest_edge}
 
 
-class SPLINEWRIGHT_OT_select_seen(bpy.types.Operator):
+class SPLINEWRIGHT_OT_select_seen(Gesture, bpy.types.Operator):
     bl_idname = "splinewright.select_seen"
     bl_label = "Select Visible"
     bl_description = "Select the visible point or edge of a net nearest to the mouse"
@@ -49,10 +50,9 @@ class SPLINEWRIGHT_OT_select_seen(bpy.types.Operator):
         if self.keymap == VIEW:
             return {'PASS_THROUGH', 'FINISHED'}
         self._pressed, self._button = (event.mouse_x, event.mouse_y), event.type
-        context.window_manager.modal_handler_add(self)
-        return {'RUNNING_MODAL'}
+        return self.begin_modal(context)
 
-    def modal(self, context, event):
+    def step(self, context, event):
         """Tools' keymaps would hand on the press to Blender's own Select, too: a drag is begun here."""
         if event.type == self._button and event.value == 'RELEASE':
             return {'FINISHED'}

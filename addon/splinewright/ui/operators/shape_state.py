@@ -1,4 +1,4 @@
-"""Restore, Detach, Apply Transform to NURBS: changes of a shape as a whole."""
+"""Discard Manual Changes, Convert to Plain Mesh/Curve, Apply Transform to NURBS: changes of a shape as a whole."""
 
 import bpy
 from bpy.props import BoolProperty
@@ -19,9 +19,9 @@ class _OnShapes(OnSelected):
 
 class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.restore"
-    bl_label = "Restore"
+    bl_label = "Discard Manual Changes"
     bl_description = "Make the mesh or curve again from the definition; changes made by hand are lost"
-    done = "Restored {what}"
+    done = "Discarded manual changes of {what}"
 
     def work(self, context, ob):
         shape.restore(ob.data)
@@ -29,9 +29,9 @@ class SPLINEWRIGHT_OT_restore(_OnShapes, bpy.types.Operator):
 
 class SPLINEWRIGHT_OT_detach(_OnShapes, bpy.types.Operator):
     bl_idname = "splinewright.detach"
-    bl_label = "Detach"
+    bl_label = "Convert to Plain Mesh/Curve"
     bl_description = "Keep a plain mesh or curve, and drop the definition"
-    done = "Detached {what}"
+    done = "Converted {what}: no longer NURBS"
 
     def work(self, context, ob):
         point_keys.tell_lost(ob.data, point_keys.count(ob.data))
