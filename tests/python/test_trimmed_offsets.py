@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import splinecore as sc
+from sharp_tips import are_under
 
 KINDS = ["polygon", "closed polygon", "arcs", "spline", "rational", "periodic", "cusp", "there and back"]
 
@@ -97,11 +98,14 @@ def test_random_ones_are_nowhere_nearer_and_whole(inputs):
         rng, curve, distance, tolerance = random_task(seed)
         want = true_offset(curve, distance)
         try:
-            made = curve.offset(distance, tolerance=tolerance, trimmed=True, corner=str(rng.choice(["round", "sharp"])))
+            corner = str(rng.choice(["round", "sharp"]))
+            made = curve.offset(distance, tolerance=tolerance, trimmed=True, corner=corner)
         except sc.InvalidShape as error:
             assert "nothing is left" in str(error) and len(want) == 0, seed
             continue
         made_some += 1
+        if corner == "sharp" and curve.degree == 1:
+            want = want[~are_under(curve.points[:-1 if curve.is_closed else None, :2], -distance, want[:, :2], curve.is_closed)]
         nearest = min(curve.nearest(part.evaluate(by_spans(part, 40))).distances.min() for part in made)
         assert nearest >= abs(distance) - tolerance * (1 + 1e-6), seed
         if len(want):

@@ -6,11 +6,13 @@
 #include <numbers>
 #include <string>
 
+#include "base/rounding.hpp"
 #include "bezier_runs.hpp"
 #include "cubics_along.hpp"
 #include "meet/near_space.hpp"
 #include "offset_parts.hpp"
 #include "offset_piece.hpp"
+#include "sharp_tips.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/convert/to_bezier.hpp"
 #include "standstill.hpp"
@@ -25,9 +27,8 @@ constexpr double kLongestCorner = 4.0;
 
 /// How much of the direction at an end of a piece may be rounding: of what is short, and begins slowly, much.
 double direction_noise(const BezierCurve& piece) {
-  constexpr double kRounding = 0x1p-46;
   const double degree = piece.degree();
-  return kRounding * degree * degree / length_of(piece);
+  return kRoundingOfShape * degree * degree / length_of(piece);
 }
 
 /// Runs of pieces that follow each other, offset; what is at their joints.
@@ -51,6 +52,9 @@ class CurveOffset {
     std::erase_if(runs_, [](const BezierPieces& run) { return run.empty(); });
     return std::move(runs_);
   }
+
+  /// Of the corners that are sharp, when the runs are made.
+  std::vector<SharpTip> tips() { return std::move(tips_); }
 
  private:
   /// Of a piece that is little more than rounding the direction is, too: what is left open behind it is closed.
@@ -81,6 +85,7 @@ class CurveOffset {
       const glm::dvec3 tip = a.moved + std::abs(step_.distance) * std::tan(0.5 * std::abs(angle)) * a.tangent;
       follow(bezier_line(a.moved, tip));
       follow(bezier_line(tip, b.moved));
+      tips_.push_back({a.point, a.moved, tip, b.moved});
     } else {
       arc(a, angle);
     }
@@ -106,6 +111,7 @@ class CurveOffset {
   const SideStep& step_;
   OffsetCorner corner_;
   std::vector<BezierPieces> runs_;
+  std::vector<SharpTip> tips_;
 };
 
 /// A circle about a point.
@@ -185,8 +191,9 @@ std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, c
   }
   require_plane(pieces, step, space);
   const SideStep fine{step.normal, step.distance, options.trimmed ? 0.5 * step.tolerance : step.tolerance};
-  std::vector<BezierPieces> runs = CurveOffset(pieces, fine, options.corner).runs();
-  if (options.trimmed) runs = trimmed_offset(curve, space, step, runs, other_bounds(pieces, fine, options.corner));
+  CurveOffset untrimmed(pieces, fine, options.corner);
+  std::vector<BezierPieces> runs = untrimmed.runs();
+  if (options.trimmed) runs = trimmed_offset(curve, space, step, runs, other_bounds(pieces, fine, options.corner), untrimmed.tips());
   std::vector<NurbsCurve> found;
   for (const BezierPieces& run : runs) {
     const NurbsCurve near = curve_of(run);

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/rounding.hpp"
 #include "curve_parts.hpp"
 #include "offset_loops.hpp"
 #include "splinecore/base/interval.hpp"
@@ -25,17 +26,35 @@ double inside(const NurbsCurve& curve, double parameter) {
   return parameter > domain.end ? std::min(parameter - domain.length(), domain.end) : parameter;
 }
 
-/// Where curves at the distance meet, by the parameters of each.
-std::vector<std::vector<double>> cuts_of(const std::vector<NurbsCurve>& raw, std::size_t count) {
-  std::vector<std::vector<double>> cuts(raw.size());
+/// Where a curve at the distance is cut, and its stretches that another one runs along, too, in the same direction.
+struct Cuts {
+  std::vector<double> at;
+  std::vector<Interval> doubled;
+
+  bool are_doubled(const Interval& between) const {
+    return std::ranges::any_of(doubled, [&](const Interval& range) { return between.middle() > range.start && between.middle() < range.end; });
+  }
+};
+
+/// Where curves at the distance meet.
+std::vector<Cuts> cuts_of(const std::vector<NurbsCurve>& raw, std::size_t count) {
+  std::vector<Cuts> cuts(raw.size());
   const auto add = [&](const CurveIntersections& found, std::size_t i, std::size_t j) {
     for (const CurveIntersection& place : found.places) {
-      cuts[i].push_back(place.a);
-      cuts[j].push_back(place.b);
+      cuts[i].at.push_back(place.a);
+      cuts[j].at.push_back(place.b);
     }
     for (const CurveOverlap& overlap : found.overlaps) {
-      cuts[i].insert(cuts[i].end(), {overlap.a.start, inside(raw[i], overlap.a.end)});
-      cuts[j].insert(cuts[j].end(), {overlap.b.start, inside(raw[j], overlap.b.end)});
+      const double end = inside(raw[j], overlap.b.end);
+      cuts[i].at.insert(cuts[i].at.end(), {overlap.a.start, inside(raw[i], overlap.a.end)});
+      cuts[j].at.insert(cuts[j].at.end(), {overlap.b.start, end});
+      if (overlap.is_reversed || j >= count) continue;
+      const Interval domain = raw[j].domain();
+      if (end < overlap.b.start) {
+        cuts[j].doubled.insert(cuts[j].doubled.end(), {{overlap.b.start, domain.end}, {domain.start, end}});
+      } else {
+        cuts[j].doubled.push_back({overlap.b.start, end});
+      }
     }
   };
   for (std::size_t i = 0; i < count; ++i) {
@@ -70,9 +89,9 @@ struct FarStretch {
 /// Finds stretches of a curve that are far enough from another.
 class FarStretches {
  public:
-  /// @param least  the distance, in the space, that is far enough
-  FarStretches(const NurbsCurve& curve, const NearSpace& space, const NurbsCurve& raw, double least)
-      : curve_(curve), space_(space), raw_(raw), least_(least) {}
+  /// @param enough  distances in the space: from the least one on it is far enough, beyond the greatest one on tips alone
+  FarStretches(const NurbsCurve& curve, const NearSpace& space, const NurbsCurve& raw, const SharpTips& tips, const Interval& enough)
+      : curve_(curve), space_(space), raw_(raw), tips_(tips), enough_(enough) {}
 
   /// Between cuts a curve is seldom far in one part and near in another: where it only touches what it is cut with.
   void add(const Interval& between, std::vector<FarStretch>& out) const {
@@ -120,13 +139,18 @@ class FarStretches {
 
   std::vector<bool> are_far(std::span<const double> at) const {
     breathe(at.size());
-    std::vector<glm::dvec3> points = places_of(raw_, at);
-    for (glm::dvec3& point : points) point = space_.leave(point);
+    const std::vector<glm::dvec3> places = places_of(raw_, at);
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec3& place : places) points.push_back(space_.leave(place));
     std::vector<NearestOnCurve> found(points.size());
     nearest(curve_, points, found, 1);
     std::vector<bool> far;
-    for (const NearestOnCurve& one : found) far.push_back(one.distance / space_.length(1.0) >= least_);
+    for (std::size_t i = 0; i < places.size(); ++i) far.push_back(is_far(places[i], found[i].distance / space_.length(1.0)));
     return far;
+  }
+
+  bool is_far(const glm::dvec3& place, double distance) const {
+    return distance >= enough_.start && !tips_.cover(place) && (distance <= enough_.end || tips_.hold(place));
   }
 
   /// The last place that is far on the way to one that is not.
@@ -142,7 +166,8 @@ class FarStretches {
   const NurbsCurve& curve_;
   const NearSpace& space_;
   const NurbsCurve& raw_;
-  double least_;
+  const SharpTips& tips_;
+  Interval enough_;
 };
 
 /// Parts that stay.
@@ -266,36 +291,52 @@ std::vector<BezierPieces> joined_ends(const std::vector<BezierPieces>& parts, do
   return joined;
 }
 
+/// Whether a run is open and no farther than that from where it begins: what the tolerance alone leaves.
+bool is_speck(const BezierPieces& run, double near) {
+  const glm::dvec3 start = start_of(run.front());
+  if (end_of(run.back()) == start) return false;
+  const std::vector<glm::dvec3> samples = samples_of(curve_of(run));
+  return std::ranges::all_of(samples, [&](const glm::dvec3& place) { return glm::distance(place, start) <= near; });
+}
+
 }  // namespace
 
 std::vector<BezierPieces> trimmed_offset(const NurbsCurve& curve, const NearSpace& space, const SideStep& step,
                                          const std::vector<BezierPieces>& runs,
-                                         const std::vector<BezierPieces>& others) {
+                                         const std::vector<BezierPieces>& others, std::vector<SharpTip> tips) {
   std::vector<NurbsCurve> raw;
   for (const BezierPieces& run : runs) raw.push_back(curve_of(run));
   for (const BezierPieces& other : others) raw.push_back(curve_of(other));
-  const std::vector<std::vector<double>> cuts = cuts_of(raw, runs.size());
+  const std::vector<Cuts> cuts = cuts_of(raw, runs.size());
   constexpr double kShort = 0.5;  // of the tolerance: the rest is that of the lines that join parts
-  constexpr double kRounding = 0x1p-46;
   const double distance = std::abs(step.distance);
-  const double least = distance - kShort * step.tolerance - space.rounding() - kRounding * (1.0 + distance);
+  const double rounding = space.rounding() + kRoundingOfShape * (1.0 + distance);
+  const double slack = kShort * step.tolerance + rounding;
+  const NurbsCurve near_curve = curve.with_points(space.enter(curve.points()));
+  const SharpTips sharp(near_curve, std::move(tips), rounding);
   KeptParts kept(step.tolerance);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const Interval domain = raw[i].domain();
-    std::vector<double> ends = cuts[i];
+    std::vector<double> ends = cuts[i].at;
     ends.insert(ends.end(), {domain.start, domain.end});
     ends = distinct(std::move(ends), kSamePlace * domain.length());
     std::vector<FarStretch> far;
-    const FarStretches stretches(curve, space, raw[i], least);
-    for (std::size_t k = 0; k + 1 < ends.size(); ++k) stretches.add({ends[k], ends[k + 1]}, far);
+    const FarStretches stretches(curve, space, raw[i], sharp, {distance - slack, distance + 2.0 * slack});
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      const Interval between{ends[k], ends[k + 1]};
+      if (!cuts[i].are_doubled(between)) stretches.add(between, far);
+    }
     for (const FarStretch& stretch : far) {
       if (stretch.range.length() > kSamePlace * domain.length()) kept.add(raw[i], stretch);
     }
   }
-  std::vector<BezierPieces> joined = joined_ends(kept.pieces(), std::max(step.tolerance, 0x1p-30));
+  constexpr double kJoined = 4.0;  // tolerances: where parts meet at a small angle both end before they do
+  const double near = std::max(kJoined * step.tolerance, 0x1p-30);
+  std::vector<BezierPieces> joined = joined_ends(kept.pieces(), near);
   for (BezierPieces& run : joined) {
     run = ended_at_start(without_specks(without_loops(run, step.tolerance), step.tolerance));
   }
+  std::erase_if(joined, [&](const BezierPieces& run) { return is_speck(run, near); });
   return joined;
 }
 
