@@ -2,18 +2,18 @@
 
 #include <algorithm>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
 BandedCholesky::BandedCholesky(std::vector<double> rows, std::size_t width) : width_(width), rows_(std::move(rows)) {
-  constexpr double kRounding = 0x1p-46;
   const std::size_t count = rows_.size() / width_;
   std::vector<double> before(count);
   for (std::size_t i = 0; i < count; ++i) before[i] = rows_[i * width_];
   for (std::size_t k = 0; k < count; ++k) {
     double* const row = rows_.data() + k * width_;
-    if (!(row[0] > kRounding * before[k])) {
+    if (!(row[0] > kRoundingOfShape * before[k])) {
       dependent_ = k;
       return;
     }

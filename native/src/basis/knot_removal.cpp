@@ -8,13 +8,13 @@
 #include <tuple>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/pause.hpp"
 
 namespace splinecore {
 
 namespace {
 
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 double largest(const glm::dvec4& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), std::abs(p.w)});
@@ -44,10 +44,10 @@ class LineCost {
   double result() const {
     const double weight = std::max(std::abs(least_), std::abs(most_));
     const double smallest = std::min(std::abs(least_), std::abs(most_));
-    const bool is_sure = is_of_one_sign_ && least_ * most_ > 0.0 && smallest > kRounding * weight;
+    const bool is_sure = is_of_one_sign_ && least_ * most_ > 0.0 && smallest > kRoundingOfShape * weight;
     if (is_sure) return way_ / smallest;
     // Where the weight may be zero, but for rounding, lengths tell nothing, but what is rounding is nothing.
-    return biggest_ <= kRounding * size_ && weight > 0.0 ? biggest_ / weight : HUGE_VAL;
+    return biggest_ <= kRoundingOfShape * size_ && weight > 0.0 ? biggest_ / weight : HUGE_VAL;
   }
 
  private:
@@ -94,10 +94,10 @@ double KnotList::rounding() const {
   for (const glm::dvec4& p : rows_) weight = std::max(weight, std::abs(p.w));
   double largest = 0.0;
   for (const glm::dvec4& p : rows_) {
-    if (std::abs(p.w) <= kRounding * weight) continue;
+    if (std::abs(p.w) <= kRoundingOfShape * weight) continue;
     for (int axis = 0; axis < 3; ++axis) largest = std::max(largest, std::abs(p[axis] / p.w));
   }
-  return kRounding * largest;
+  return kRoundingOfShape * largest;
 }
 
 std::vector<int> KnotList::inner() const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/rounding.hpp"
 #include "splinecore/basis/hermite.hpp"
 #include "splinecore/basis/samples.hpp"
 
@@ -25,7 +26,6 @@ Influence Influence::at(const KnotVector& knots, double u, const char* name) {
 }
 
 bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
-  constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
   double size = 0.0;
   for (const glm::dvec4& point : points) size = std::max(size, std::abs(point.w));
   double weight = 0.0;
@@ -43,13 +43,13 @@ bool make_rational(Influence& plain, std::span<const glm::dvec4> points) {
     slope += plain.slope[i];
     bend += plain.bend[i];
   }
-  if (!(std::abs(weight) > kRounding * terms)) return false;
+  if (!(std::abs(weight) > kRoundingOfShape * terms)) return false;
   for (double& value : plain.value) value /= weight;
   for (std::size_t i = 0; i < plain.slope.size(); ++i) {
     // What is left where the weights alone change is rounding, and counts nothing.
     const double taken = plain.value[i] * slope;
     const double left = plain.slope[i] - taken;
-    plain.slope[i] = std::abs(left) > kRounding * (std::abs(plain.slope[i]) + std::abs(taken)) ? left / weight : 0.0;
+    plain.slope[i] = std::abs(left) > kRoundingOfShape * (std::abs(plain.slope[i]) + std::abs(taken)) ? left / weight : 0.0;
     plain.bend[i] = (plain.bend[i] - 2.0 * plain.slope[i] * slope - plain.value[i] * bend) / weight;
   }
   return true;

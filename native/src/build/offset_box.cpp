@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/rounding.hpp"
 #include "basis/bernstein_net.hpp"
 #include "curve/bezier_piece.hpp"
 
@@ -24,7 +25,6 @@ double angle_between(const glm::dvec2& a, const glm::dvec2& b) {
 }
 
 /// What rounding may add to numbers about 1 large.
-constexpr double kRounding = 0x1p-48;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void OffsetBox::find_tangents(const std::vector<glm::dvec2>& polygon) {
   const double turn = 0.5 * (low + high);
   const glm::dvec2 base = sum / length;
   way_ = std::cos(turn) * base + std::sin(turn) * left_of(base);
-  half_angle_ = 0.5 * (high - low) + kRounding;
+  half_angle_ = 0.5 * (high - low) + kRoundingOfSum;
 }
 
 double OffsetBox::size() const {
@@ -102,7 +102,7 @@ Interval OffsetBox::along(const glm::dvec2& direction) const {
     most = std::cos(std::max(0.0, between - half_angle_));
     least = std::cos(std::min(std::numbers::pi, between + half_angle_));
   }
-  return {found.start + distance * least - kRounding, found.end + distance * most + kRounding};
+  return {found.start + distance * least - kRoundingOfSum, found.end + distance * most + kRoundingOfSum};
 }
 
 std::pair<OffsetBox, OffsetBox> OffsetBox::halves() const {

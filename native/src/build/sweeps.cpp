@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/compatible.hpp"
 #include "spokes.hpp"
@@ -14,7 +15,6 @@ namespace {
 
 /// What is left of a point on the axis after its part along the axis has been taken away is less, as a part of the
 /// curve's size, also after the curve was moved there.
-constexpr double kRounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// An axis through a point, of unit length.
 struct AxisLine {
@@ -39,7 +39,7 @@ Spoke spoke_of(const glm::dvec4& p, const AxisLine& axis, double size) {
   // Twice, because far up the axis the first step leaves a rest along it.
   const glm::dvec3 out = once - axis.along(once);
   if (p.w == 0.0) size = glm::length(from_axis);
-  if (!(glm::length(out) > kRounding * size)) return {glm::dvec3(p), glm::dvec3(0.0), glm::dvec3(0.0), p.w};
+  if (!(glm::length(out) > kRoundingOfShape * size)) return {glm::dvec3(p), glm::dvec3(0.0), glm::dvec3(0.0), p.w};
   return {glm::dvec3(p) - out, out, glm::cross(axis.direction, out), p.w};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "meet/near_space.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -70,14 +71,13 @@ class ThreeTouches {
     constexpr int kMost = 60;
     constexpr double kReached = 1e-13;   // by the radius
     constexpr double kNear = 1e-10;
-    constexpr double kRounding = 0x1p-50;  // of the places of the curves and of the center
     for (int round = 0; round < kMost; ++round) {
       breathe(1024);
       if (!step()) return false;
       look();
-      if (rest() <= kReached * radius_ + kRounding * size()) return radius_ > 0.0;
+      if (rest() <= kReached * radius_ + kRoundingOfStep * size()) return radius_ > 0.0;
     }
-    return rest() <= kNear * radius_ + kRounding * size() && radius_ > 0.0;
+    return rest() <= kNear * radius_ + kRoundingOfStep * size() && radius_ > 0.0;
   }
 
   glm::dvec2 center() const { return center_; }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 
@@ -30,8 +31,7 @@ std::optional<Breakdown> direction_among(std::span<const glm::dvec4> points) {
 
 /// Whether the sum of two numbers is zero, or no more than what their rounding leaves.
 bool cancels(double a, double b) {
-  constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
-  return std::abs(a + b) <= kRounding * (std::abs(a) + std::abs(b));
+  return std::abs(a + b) <= kRoundingOfStep * (std::abs(a) + std::abs(b));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "base/length.hpp"
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -170,7 +171,6 @@ double DifferencePiece::work() const {
 }
 
 DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> b) {
-  constexpr double kRounding = 0x1p-48;
   constexpr double kFinite = 0x1p-4;
   normalize(a);
   normalize(b);
@@ -181,7 +181,7 @@ DifferencePiece difference(BernsteinNet<glm::dvec4> a, BernsteinNet<glm::dvec4> 
   for (std::size_t i = 0; i < a.values.size(); ++i) piece.weights.values.emplace_back(a.values[i].w, b.values[i].w);
   const bool may_vanish = !is_of_one_sign(a, &glm::dvec4::w) && !is_of_one_sign(b, &glm::dvec4::w);
   piece.limit = may_vanish ? kFinite : 0.0;
-  piece.rounding = kRounding * size;
+  piece.rounding = kRoundingOfSum * size;
   return piece;
 }
 

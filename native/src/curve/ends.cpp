@@ -7,6 +7,7 @@
 
 #include "base/given_points.hpp"
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "basis/periodic_knots.hpp"
 #include "basis/selection.hpp"
 #include "rescale.hpp"
@@ -127,11 +128,10 @@ namespace {
 
 /// How far a clamped curve's end lies from its start. @throws InvalidShape if it is no end in sight.
 double gap_of(const NurbsCurve& curve) {
-  constexpr double kRounding = 0x1p-46;
   const glm::dvec4& first = curve.points().front();
   const glm::dvec4& last = curve.points().back();
   if (first.w == 0.0 || last.w == 0.0) throw InvalidShape("an end of the curve lies at infinity");
-  if (std::abs(first.w - last.w) > kRounding * std::abs(first.w)) {
+  if (std::abs(first.w - last.w) > kRoundingOfShape * std::abs(first.w)) {
     throw InvalidShape("the weights at the ends are " + text_of(first.w) + " and " + text_of(last.w) +
                        ": a periodic curve needs equal ones, as in standard form");
   }
@@ -153,8 +153,7 @@ NurbsCurve closed_up(const NurbsCurve& curve) {
 
 Approximation<NurbsCurve> made_periodic(const NurbsCurve& curve, std::optional<double> tolerance) {
   if (curve.periodic()) return {curve, 0.0};
-  constexpr double kRounding = 0x1p-46;
-  const double slack = tolerance.value_or(kRounding * largest_coordinate(curve.points()));
+  const double slack = tolerance.value_or(kRoundingOfShape * largest_coordinate(curve.points()));
   const NurbsCurve plain = clamped(curve);
   const double gap = gap_of(plain);
   if (!(gap <= slack)) throw ToleranceNotReached("the ends do not meet", slack, gap);

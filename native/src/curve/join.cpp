@@ -8,6 +8,7 @@
 
 #include "base/length.hpp"
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "numeric/linear_equations.hpp"
 #include "rescale.hpp"
 #include "splinecore/base/errors.hpp"
@@ -58,12 +59,11 @@ glm::dvec3 end_derivative(const NurbsCurve& curve, double u, Side side) {
 
 /// What rounding may make of a derivative at an end: its control points divided by the width of the span.
 double rounding_of_speed(const NurbsCurve& curve, Side side) {
-  constexpr double kRounding = 0x1p-46;
   const auto knots = curve.knot_vector().knots();
   const std::size_t order = curve.degree() + 1;
   const std::size_t last = curve.points().size() - 1;
   const double width = side == Side::left ? knots[last + 1] - knots[last] : knots[order] - knots[order - 1];
-  return kRounding * curve.degree() * largest_coordinate(curve.points()) / width;
+  return kRoundingOfShape * curve.degree() * largest_coordinate(curve.points()) / width;
 }
 
 /// b over a domain that begins where a ends and on which both derivatives at the joint have one length,
@@ -140,9 +140,8 @@ std::array<glm::dvec3, kMostConditions> derivatives_at(const NurbsCurve& curve, 
 /// What a condition lacks once the points have moved, of what is wanted.
 /// @throws InvalidShape where that is more than rounding
 void require_met(const glm::dvec3& lacking, const glm::dvec3& wanted, double size) {
-  constexpr double kRounding = 0x1p-40;
   constexpr double kPart = 0x1p-20;
-  if (length_of(lacking) <= std::max(kPart * length_of(wanted), kRounding * size)) return;
+  if (length_of(lacking) <= std::max(kPart * length_of(wanted), kRoundingOfPlace * size)) return;
   throw InvalidShape("points at infinity next to the joint leave too few that can move");
 }
 
@@ -200,9 +199,8 @@ void align(NurbsCurve& a, NurbsCurve& b) {
   const double length_b = glm::length(leg_b);
   const glm::dvec3 between = length_a > 0.0 && length_b > 0.0 ? leg_a / length_a + leg_b / length_b : glm::dvec3(0.0);
   const double length = glm::length(between);
-  constexpr double kRounding = 0x1p-48;
   if (!(length_a > 0.0 && length_b > 0.0)) throw InvalidShape("a curve leaves the joint in no direction");
-  if (length <= kRounding) {
+  if (length <= kRoundingOfSum) {
     throw InvalidShape("the curves leave the joint the same way: no direction lies between them");
   }
   const glm::dvec3 direction = between / length;

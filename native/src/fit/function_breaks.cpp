@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "basis/gauss_legendre.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
@@ -132,7 +133,6 @@ std::vector<glm::dvec3> values_of(const CurveFunction& function, std::span<const
 }
 
 std::vector<double> function_breaks(const CurveFunction& function, std::span<const double> breaks, int nodes) {
-  constexpr double kRounding = 0x1p-46;  // of integrals beside the largest value
   constexpr std::size_t kMostParts = 0x1p15;
   const NodeHalves halves(nodes);
   std::vector<double> found(breaks.begin(), breaks.end());
@@ -150,7 +150,7 @@ std::vector<double> function_breaks(const CurveFunction& function, std::span<con
       breathe(4 * halves.count() * halves.count());
       const double miss = halves.miss(std::span(values).subspan(i * halves.count(), halves.count()),
                                       std::span(others).subspan(i * halves.places().size(), halves.places().size()));
-      if (miss * part.share <= kRounding * size || !part.can_be_halved()) continue;
+      if (miss * part.share <= kRoundingOfShape * size || !part.can_be_halved()) continue;
       found.push_back(part.middle());
       rough.push_back({part.start, part.middle(), 0.5 * part.share});
       rough.push_back({part.middle(), part.end, 0.5 * part.share});

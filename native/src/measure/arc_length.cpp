@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "length_parts.hpp"
 #include "quadrature.hpp"
 #include "splinecore/base/errors.hpp"
@@ -69,13 +70,12 @@ double parameter_of(const LengthPart& part, double t) {
 template <class Take>
 double place_all(const NurbsCurve& curve, std::span<const double> lengths, double tolerance, Take take) {
   // A length that rounding alone takes past the end of a part is that end, not behind where the curve stands still.
-  constexpr double kRounding = 0x1p-48;
   std::size_t next = 0;
   const auto length = length_by_parts(curve, curve.domain(), tolerance, [&](const LengthPart& part) {
     PartLength along(part);
     for (; next < lengths.size(); ++next) {
       const double rest = std::ldexp(lengths[next], -part.exponent) - part.before;
-      if (rest > part.length + kRounding * (part.before + part.length)) return;
+      if (rest > part.length + kRoundingOfSum * (part.before + part.length)) return;
       take(next, parameter_of(part, rest > 0.0 ? along.place_of(rest) : 0.0));
     }
   });

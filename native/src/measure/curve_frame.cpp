@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/rounding.hpp"
 #include "frenet_frame.hpp"
 #include "rounded_jet.hpp"
 #include "unit_direction.hpp"
@@ -57,12 +58,11 @@ Local local_of(const std::array<Rounded<glm::dvec3>, kOrder + 1>& values) {
 }
 
 Local local_at(const NurbsCurve& curve, const SlowPlaces& slow, double u, Side side) {
-  constexpr double kRounding = 0x1p-46;
   std::array<glm::dvec3, kOrder + 1> plain;
   derivatives(curve, {&u, 1}, kOrder, std::span(&plain[0].x, 3 * plain.size()), {.side = side});
   const KnotVector& knots = curve.knot_vector();
   const double span = knots.span_interval(knots.span_of(knots.admit(u, side), side)).length();
-  const double rounding = kRounding * (curve.degree() + 1) * extent(curve.points());
+  const double rounding = kRoundingOfShape * (curve.degree() + 1) * extent(curve.points());
   std::array<Rounded<glm::dvec3>, kOrder + 1> values;
   for (int k = 0; k <= kOrder; ++k) values[k].value = plain[k];
   const bool is_slow = slow.is_slow(plain[1], span);

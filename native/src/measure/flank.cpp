@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
@@ -156,7 +157,6 @@ SeamJet Flank::jet_of(const glm::dvec3& point, const glm::dvec3& by_u, const glm
 }
 
 std::array<double, 3> Flank::rounding(double pace) const {
-  constexpr double kRounding = 0x1p-46;
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
   for (const glm::dvec4& p : patch_.points()) {
@@ -166,11 +166,11 @@ std::array<double, 3> Flank::rounding(double pace) const {
   Stencil stencil(across(), 2);
   stencil.move_to(edge(), inward());
   const Interval domain = along().domain();
-  std::array<double, 3> found{kRounding * std::max(std::abs(domain.start), std::abs(domain.end)) * pace, 0.0, 0.0};
+  std::array<double, 3> found{kRoundingOfShape * std::max(std::abs(domain.start), std::abs(domain.end)) * pace, 0.0, 0.0};
   for (int k = 0; k < 3; ++k) {
     double sum = 0.0;
     for (const double weight : stencil.weights(k)) sum += std::abs(weight);
-    found[k] += kRounding * sum * std::max(1.0, largest_coordinate(patch_.points())) * most / least;
+    found[k] += kRoundingOfShape * sum * std::max(1.0, largest_coordinate(patch_.points())) * most / least;
   }
   return found;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
@@ -12,7 +13,6 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kRounding = 0x1p-50;
 
 /// Coefficients that are added up, with the sizes of their terms.
 class Sums {
@@ -28,7 +28,7 @@ class Sums {
   Numerator found(int factors) && {
     const double largest = *std::ranges::max_element(sizes_);
     if (!std::isfinite(largest)) throw InvalidShape("points and weights differ too much in size");
-    return {std::move(values_), kRounding * factors * largest};
+    return {std::move(values_), kRoundingOfStep * factors * largest};
   }
 
  private:
@@ -127,7 +127,7 @@ Numerator bend_of(std::span<const glm::dvec3> points) {
   // What the differences lost.
   double largest = 0.0;
   for (const glm::dvec2& slope : slopes) largest = std::max({largest, std::abs(slope.x), std::abs(slope.y)});
-  found.noise += 4.0 * kRounding * degree * degree * rounding * largest;
+  found.noise += 4.0 * kRoundingOfStep * degree * degree * rounding * largest;
   return found;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "closed_curve.hpp"
 #include "placed_patches.hpp"
 #include "quadrature.hpp"
@@ -60,8 +61,7 @@ class HeightRange {
   /// @throws InvalidShape unless all are one, but for 1e-9 of the size, or rounding of coordinates, of which the largest are about 1
   double height() const {
     constexpr double kFlat = 1e-9;
-    constexpr double kRounding = 0x1p-48;
-    if (high_ - low_ > std::max(kFlat * radius_, kRounding)) {
+    if (high_ - low_ > std::max(kFlat * radius_, kRoundingOfSum)) {
       throw InvalidShape("the curves are not in one plane with this normal: along it they differ by " +
                          text_of((high_ - low_) / radius_) + " of their size");
     }

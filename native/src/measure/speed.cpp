@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/rounding.hpp"
 #include "kronrod_31.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -62,7 +63,6 @@ void SpeedPiece::cut(double t, SpeedPiece& after) {
 }
 
 bool SpeedPiece::is_regular() const {
-  constexpr double kRounding = 0x1p-48;
   glm::dvec4 direction(0.0);
   double largest = 0.0;
   double terms = 0.0;
@@ -71,7 +71,7 @@ bool SpeedPiece::is_regular() const {
     largest = std::max(largest, size_of(slope));
     terms = std::max(terms, slope.w);
   }
-  const double rounding = kRounding * terms;
+  const double rounding = kRoundingOfSum * terms;
   if (largest <= rounding) return true;
   if (size_of(direction) <= rounding) return false;
   return std::ranges::all_of(slopes.values, [&](const glm::dvec4& slope) { return dot(slope, direction) >= 0.0; });

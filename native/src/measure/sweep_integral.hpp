@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "basis/bernstein_net.hpp"
 #include "kronrod_31.hpp"
 #include "numerators.hpp"
@@ -106,9 +107,8 @@ class SweepIntegral {
 
   bool is_near(const SweepSums<Count>& found) const {
     constexpr double kCaution = 0.125;
-    constexpr double kRounding = 0x1p-50;
     for (std::size_t i = 0; i < Count; ++i) {
-      if (found.errors[i] > std::max(kCaution * tolerance_, kRounding) * found.terms[i]) return false;
+      if (found.errors[i] > std::max(kCaution * tolerance_, kRoundingOfStep) * found.terms[i]) return false;
     }
     return true;
   }

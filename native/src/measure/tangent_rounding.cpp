@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/basis/samples.hpp"
 
 namespace splinecore {
 
 bool is_product_known(const NurbsPatch& patch, double u, double v, const PatchSlopes& tangents, PatchOptions options) {
-  constexpr double kRounding = 0x1p-50;
   constexpr double kKnown = 0x1p-14;
   const Samples at_u = Samples::make(patch.knot_vector(Axis::u), {&u, 1}, 1, options.side_u);
   const Samples at_v = Samples::make(patch.knot_vector(Axis::v), {&v, 1}, 1, options.side_v);
@@ -25,7 +25,7 @@ bool is_product_known(const NurbsPatch& patch, double u, double v, const PatchSl
     for (std::size_t j = 0; j < at_v.weights(0).size(); ++j) {
       const glm::dvec4& p = patch.points()[row + (at_v.first(0) + j) % count_v];
       if (p.w == 0.0) return false;
-      const double noise = kRounding * std::abs(p.w) * (glm::length(glm::dvec3(p)) + size);
+      const double noise = kRoundingOfStep * std::abs(p.w) * (glm::length(glm::dvec3(p)) + size);
       weight += at_u.weights(0)[i] * at_v.weights(0)[j] * p.w;
       of_u += std::abs(at_u.weights(0, 1)[i] * at_v.weights(0)[j]) * noise;
       of_v += std::abs(at_u.weights(0)[i] * at_v.weights(0, 1)[j]) * noise;

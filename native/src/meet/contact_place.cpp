@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/rounding.hpp"
+
 namespace splinecore {
 
 namespace {
@@ -119,12 +121,11 @@ bool is_power(const std::vector<ChebyshevSeries>& taylor, std::size_t power, dou
 std::optional<double> contact_place(const std::array<Interval, 2>& along,
                                     const std::function<glm::dvec3(double)>& gap) {
   constexpr double kAsSmooth = 4.0;
-  constexpr double kRounding = 0x1p-48;
   const auto& [whole, part] = along;
   if (!(part.length() > 0.0)) return {};
   const ChoppedSeries of_whole = fit_of(whole, gap);
   const ChoppedSeries of_part = part.length() < whole.length() ? fit_of(part, gap) : of_whole;
-  const bool is_smooth = of_whole.rounding <= std::max(kAsSmooth * of_part.rounding, kRounding);
+  const bool is_smooth = of_whole.rounding <= std::max(kAsSmooth * of_part.rounding, kRoundingOfSum);
   const Interval& in = is_smooth ? whole : part;
   const std::vector<ChebyshevSeries> taylor = taylor_of((is_smooth ? of_whole : of_part).series);
   for (std::size_t power = 2; power < taylor.size(); ++power) {

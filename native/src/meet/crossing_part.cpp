@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/rounding.hpp"
+
 namespace splinecore {
 
 namespace {
@@ -48,9 +50,8 @@ CrossingPart made(PatchPart a, PatchPart b, const FourParameters& leads) {
 }  // namespace
 
 bool CrossingPart::holds(const FourParameters& at) const noexcept {
-  constexpr double kRounding = 0x1p-40;
   for (std::size_t i = 0; i < 4; ++i) {
-    if (!(at[i] >= range(i).start - kRounding && at[i] <= range(i).end + kRounding)) return false;
+    if (!(at[i] >= range(i).start - kRoundingOfPlace && at[i] <= range(i).end + kRoundingOfPlace)) return false;
   }
   return true;
 }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/rounding.hpp"
+
 
 namespace splinecore {
 
@@ -59,10 +61,9 @@ void hold_at_borders(const Approach& now, const std::array<double, 2>& at, const
 
 /// A gap less what a parameter of the curve along it is rounded by.
 glm::dvec3 less_rounding(const glm::dvec3& gap, const glm::dvec3& along) noexcept {
-  constexpr double kRounding = 0x1p-50;
   const double square = glm::dot(along, along);
   if (!(square > 0.0) || !std::isfinite(square)) return gap;
-  return gap - std::clamp(glm::dot(gap, along) / square, -kRounding, kRounding) * along;
+  return gap - std::clamp(glm::dot(gap, along) / square, -kRoundingOfStep, kRoundingOfStep) * along;
 }
 
 struct Descent {
@@ -278,10 +279,9 @@ double foot_of(const CurvePieces& curve, std::size_t piece, const Interval& rang
   if (end == EndSlope::away) return range.end;
   const double foot = foot_inside(curve, piece, range, point);
   // Where the curve hardly moves an end is as near but for rounding.
-  constexpr double kRounding = 0x1p-50;
   const auto far = [&](double t) { return glm::length(curve.at({piece, t}, point).offset); };
-  if (start == EndSlope::still && far(range.start) <= far(foot) + kRounding) return range.start;
-  if (end == EndSlope::still && far(range.end) <= far(foot) + kRounding) return range.end;
+  if (start == EndSlope::still && far(range.start) <= far(foot) + kRoundingOfStep) return range.start;
+  if (end == EndSlope::still && far(range.end) <= far(foot) + kRoundingOfStep) return range.end;
   return foot;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "curve_approach.hpp"
 #include "curve_pairs.hpp"
 
@@ -42,8 +43,7 @@ class CurveCluster {
 
   /// Whether it goes round a closed first curve, but for rounding.
   bool is_round(const TwoCurves& curves) const noexcept {
-    constexpr double kRounding = 0x1p-40;
-    return curves.a.is_closed() && a_.length() >= (1.0 - kRounding) * curves.a.turn();
+    return curves.a.is_closed() && a_.length() >= (1.0 - kRoundingOfPlace) * curves.a.turn();
   }
 
   /// Adds where stretches end along the first curve, of many every so many, held in an interval.

@@ -8,6 +8,7 @@
 
 #include "base/one_sign.hpp"
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "piece_box.hpp"
 #include "piece_side.hpp"
 
@@ -29,10 +30,9 @@ std::vector<glm::dvec4> absolute(std::vector<glm::dvec4> points) {
 
 /// Of control points by how many of their absolute weights the speed may be rounded where the weight is 1.
 double rounding_of_speed(const BernsteinNet<glm::dvec4>& piece) {
-  constexpr double kRounding = 0x1p-50;
   double most = 0.0;
   for (const glm::dvec4& h : piece.values) most = std::max({most, glm::length(glm::dvec3(h)), std::abs(h.w)});
-  return kRounding * static_cast<double>(piece.rows) * most;
+  return kRoundingOfStep * static_cast<double>(piece.rows) * most;
 }
 
 double least_weight(const BernsteinNet<glm::dvec4>& piece) {
@@ -44,10 +44,9 @@ double least_weight(const BernsteinNet<glm::dvec4>& piece) {
 }  // namespace
 
 double rounding_across(const glm::dvec4& h, const glm::dvec4& sums, const glm::dvec3& along) noexcept {
-  constexpr double kRounding = 0x1p-50;
   const glm::dvec3 point = project(h);
   const double aside = glm::length(point - glm::dot(point, along) * along);
-  return kRounding * (sums.x + aside * sums.w) / std::abs(h.w);
+  return kRoundingOfStep * (sums.x + aside * sums.w) / std::abs(h.w);
 }
 
 CurvePieces::CurvePieces(const NurbsCurve& curve, const NearSpace& space)

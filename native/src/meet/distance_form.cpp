@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "base/rounding.hpp"
 #include "kernels/kernels.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -122,8 +123,7 @@ void DistanceForm::multiply_rows() noexcept {
 }
 
 double DistanceForm::rounding(double s) const noexcept {
-  constexpr double kRounding = 0x1p-50;
-  return kRounding * (largest_square_ + s * largest_weight_);
+  return kRoundingOfStep * (largest_square_ + s * largest_weight_);
 }
 
 bool DistanceForm::is_farther(double s) const noexcept {

@@ -9,6 +9,7 @@
 #include "base/length.hpp"
 #include "base/printable.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "branch_search.hpp"
 #include "joined_traces.hpp"
 #include "level_pieces.hpp"
@@ -114,8 +115,7 @@ class SectionSearch {
   TwoPatches patches() const { return {a_, b_}; }
 
   double rounding() const {
-    constexpr double kRounding = 0x1p-48;
-    return kRounding + 2.0 * space_.rounding();
+    return kRoundingOfSum + 2.0 * space_.rounding();
   }
 
   /// What is one by parameters that match. Copies that part a little farther than the tolerance are looked at by a smaller one,

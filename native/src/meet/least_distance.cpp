@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "box_tree.hpp"
 #include "curve_part.hpp"
 #include "curve_pieces.hpp"
@@ -160,8 +161,7 @@ double gap_between(const TreeBox& a, const TreeBox& b) {
     const double gap = std::max({0.0, a.low[k] - b.high[k], b.low[k] - a.high[k]});
     sum += gap * gap;
   }
-  constexpr double kRounding = 0x1p-40;
-  return std::max(0.0, std::sqrt(sum) - kRounding);
+  return std::max(0.0, std::sqrt(sum) - kRoundingOfPlace);
 }
 
 /// Pairs of members are searched from those whose boxes are nearest on, until no box is near enough.

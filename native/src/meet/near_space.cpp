@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 
 namespace splinecore {
 
@@ -145,8 +146,7 @@ double distance_of_one(double tolerance, double rounding) noexcept {
 
 double place_tolerance(const NearSpace& space, std::optional<double> tolerance) {
   if (tolerance) require_tolerance(*tolerance);
-  constexpr double kRounding = 0x1p-46;
-  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize * space.size(), kRounding + 4.0 * space.rounding());
+  return std::max(tolerance ? *tolerance / space.length(1.0) : kOfSize * space.size(), kRoundingOfShape + 4.0 * space.rounding());
 }
 
 }  // namespace splinecore

@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "nearest_places.hpp"
 #include "shape_box.hpp"
 #include "splinecore/base/pause.hpp"
@@ -19,7 +20,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Distances that differ by no more, of the size of all and of themselves, are one.
-constexpr double kRounding = 0x1p-46;
 
 /// Shapes, and a tree of their boxes in a space that they share.
 template <class Shape>
@@ -112,11 +112,11 @@ class SearchAmong {
 
   void offer(std::size_t number, const Place& place) {
     least_ = std::min(least_, place.distance);
-    within_ = least_ + kRounding * least_ + targets_.space().length(kRounding);
+    within_ = least_ + kRoundingOfShape * least_ + targets_.space().length(kRoundingOfShape);
     const bool stays = best_ && best_->place.distance <= within_ && (place.distance > within_ || best_->shape < number);
     if (!stays) best_ = {number, place};
     if (near_.moved) return;
-    const double reach = (1.0 + kRounding) * (within_ / targets_.space().length(1.0)) + kRounding;
+    const double reach = (1.0 + kRoundingOfShape) * (within_ / targets_.space().length(1.0)) + kRoundingOfShape;
     reach_ = reach < kInfinity ? reach * reach : kInfinity;
   }
 

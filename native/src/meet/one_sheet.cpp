@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "patch_part.hpp"
 #include "splinecore/base/pause.hpp"
 
@@ -22,7 +23,6 @@ struct SpanPart {
 /// The parts of spans that a range of a parameter covers, none if there are many.
 std::vector<SpanPart> parts_along(const KnotVector& knots, const Interval& range) {
   constexpr std::size_t kMost = 4;
-  constexpr double kRounding = 0x1p-40;
   const Interval domain = knots.domain();
   std::vector<SpanPart> found;
   for (const double turn : {-domain.length(), 0.0, domain.length()}) {
@@ -34,7 +34,7 @@ std::vector<SpanPart> parts_along(const KnotVector& knots, const Interval& range
       if (span.start >= here.end) break;
       const double start = std::max(0.0, (here.start - span.start) / span.length());
       const double end = std::min(1.0, (here.end - span.start) / span.length());
-      if (end - start <= kRounding) continue;
+      if (end - start <= kRoundingOfPlace) continue;
       if (found.size() == kMost) return {};
       found.push_back({i, {start, end}});
     }
@@ -50,7 +50,6 @@ struct Way {
 
 /// Derivatives X' - S w' of parts whose points S are in a ball.
 std::vector<Way> ways_along(const std::vector<PatchPart>& parts, Axis axis, const glm::dvec3& center, double radius) {
-  constexpr double kRounding = 0x1p-46;
   std::vector<Way> found;
   for (const PatchPart& part : parts) {
     const BernsteinNet<glm::dvec4>& net = part.net;
@@ -62,7 +61,7 @@ std::vector<Way> ways_along(const std::vector<PatchPart>& parts, Axis axis, cons
         const glm::dvec4 way = sign * (net.values[k + step] - net.values[k]);
         const glm::dvec3 vector = glm::dvec3(way) - way.w * center;
         const double slack = radius * std::abs(way.w);
-        if (glm::length(vector) + slack > kRounding * std::abs(net.values[k].w)) found.push_back({vector, slack});
+        if (glm::length(vector) + slack > kRoundingOfShape * std::abs(net.values[k].w)) found.push_back({vector, slack});
       }
     }
   }

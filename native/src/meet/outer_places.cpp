@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/rounding.hpp"
 #include "patch_places.hpp"
 #include "piece_side.hpp"
 #include "stationary_line.hpp"
@@ -56,11 +57,10 @@ std::vector<EdgeLine> lines_of(const NearPatch& patch, Axis axis) {
 /// does not tell.
 int inward_sign(const NearPatch& patch, const SpanSide& side, std::size_t i, double t) {
   constexpr double kFlat = 0x1p-40;
-  constexpr double kRounding = 0x1p-48;
   const Slopes<2> here = patch.slopes(side.place(i, t));
   const glm::dvec3& way = here.first[static_cast<std::size_t>(side.axis)];
   const double slope = glm::dot(here.offset, way) * (side.is_end ? -1.0 : 1.0);
-  const double wrong = kFlat * glm::length(here.offset) + kRounding + patch.rounding();
+  const double wrong = kFlat * glm::length(here.offset) + kRoundingOfSum + patch.rounding();
   if (std::abs(slope) <= wrong * glm::length(way)) return 0;
   return slope > 0.0 ? 1 : -1;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <span>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/pause.hpp"
 #include "touching_place.hpp"
@@ -155,11 +156,10 @@ class March {
   /// Whether the step is so short that rounding, where the patches nearly touch, sends its end anywhere.
   bool is_lost_in_rounding() const {
     constexpr double kShort = 0x1p-20;
-    constexpr double kRounding = 0x1p-50;
     constexpr double kRoundingOfTouches = 0x1p-26;  // places where normals are parallel have half the digits
     if (length_ > kShort) return false;
     if (contact_.kind != PatchContact::Kind::crossing) return length_ < kRoundingOfTouches;
-    return length_ * glm::length(meeting_at(patches_, last().at).along) < kRounding;
+    return length_ * glm::length(meeting_at(patches_, last().at).along) < kRoundingOfStep;
   }
 
   bool shorter(double share) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "stationary_line.hpp"
 
@@ -42,7 +43,6 @@ Stationary kind_around(const NearPatch& patch, const PiecePlace& place) {
 
 Stationary kind_at(const NearPatch& patch, const PiecePlace& place) {
   constexpr double kFlat = 0x1p-24;
-  constexpr double kRounding = 0x1p-46;
   const Slopes<2> here = patch.slopes(place);
   std::array<double, 3> bend;
   std::array<double, 2> size;
@@ -53,7 +53,7 @@ Stationary kind_at(const NearPatch& patch, const PiecePlace& place) {
   }
   bend[2] = glm::dot(here.first[0], here.first[1]) + glm::dot(here.offset, here.second[2]);
   const double determinant = bend[0] * bend[1] - bend[2] * bend[2];
-  const double wrong = kFlat * size[0] * size[1] + kRounding * glm::length(here.offset) * (size[0] + size[1]);
+  const double wrong = kFlat * size[0] * size[1] + kRoundingOfShape * glm::length(here.offset) * (size[0] + size[1]);
   if (!(std::abs(determinant) > wrong)) return kind_around(patch, place);
   if (determinant < 0.0) return Stationary::saddle;
   return bend[0] > 0.0 ? Stationary::minimum : Stationary::maximum;

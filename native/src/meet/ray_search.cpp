@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/one_sign.hpp"
+#include "base/rounding.hpp"
 #include "base/sort_by.hpp"
 #include "slopes.hpp"
 #include "splinecore/base/errors.hpp"
@@ -80,7 +81,6 @@ void RaySearch::gather(const NearRay& ray, const Interval& limits) {
 }
 
 bool RaySearch::look_into(const NearRay& ray, std::size_t part, const Interval& limits) {
-  constexpr double kRounding = 0x1p-50;
   const glm::dvec4* net = pieces_.points(part);
   const std::size_t count = a_.net.values.size();
   double size = 0.0;
@@ -94,7 +94,7 @@ bool RaySearch::look_into(const NearRay& ray, std::size_t part, const Interval& 
     size = std::max({size, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     weight = std::max(weight, std::abs(net[i].w));
   }
-  a_.noise = b_.noise = kRounding * size + ray.noise * weight;
+  a_.noise = b_.noise = kRoundingOfStep * size + ray.noise * weight;
   if (has_one_sign(a_.net.values, {}, a_.noise) || has_one_sign(b_.net.values, {}, b_.noise)) return true;
   const PlaneZeros found = plane_zeros(a_, b_, {});
   if (found.curve || !std::ranges::all_of(found.zeros, &PlaneZero::is_single)) return false;

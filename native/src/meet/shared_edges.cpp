@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/rounding.hpp"
 #include "patch_touching.hpp"
 #include "piece_box.hpp"
 #include "splinecore/base/pause.hpp"
@@ -105,9 +106,8 @@ class SharedEdgeSearch {
   }
 
   static bool enters_up_to_rounding(PatchSpots& at) {
-    constexpr double kRounding = 0x1p-30;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (!(at[i] >= -kRounding && at[i] <= 1.0 + kRounding)) return false;
+      if (!(at[i] >= -kRoundingOfTouch && at[i] <= 1.0 + kRoundingOfTouch)) return false;
       at[i] = std::clamp(at[i], 0.0, 1.0);
     }
     return true;

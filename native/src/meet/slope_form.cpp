@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/one_sign.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/pause.hpp"
 #include "splinecore/basis/bernstein.hpp"
 
@@ -12,7 +13,6 @@ namespace splinecore {
 
 namespace {
 
-constexpr double kRounding = 0x1p-50;
 
 using Net = BernsteinNet<glm::dvec4>;
 
@@ -118,10 +118,10 @@ SlopeForm slope_along_u(const Net& piece, const glm::dvec3& point, double roundi
   const double size = largest(piece.values, [](const glm::dvec4& h) { return glm::length(glm::dvec3(h)); });
   const double offset = largest(offsets.values, length);
   const double way = largest(ways.values, length);
-  const double wrong = kRounding * size + rounding * weight;
+  const double wrong = kRoundingOfStep * size + rounding * weight;
   const double wrong_way = 4.0 * static_cast<double>(piece.rows) * weight * wrong;
   return {product(offsets, ways, [](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a, b); }),
-          offset * wrong_way + way * wrong + kRounding * offset * way};
+          offset * wrong_way + way * wrong + kRoundingOfStep * offset * way};
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ SlopeForm times_weights(const SlopeForm& form, const BernsteinNet<glm::dvec4>& p
   const auto size = [](double x) { return std::abs(x); };
   const double weight = largest(weights.values, size);
   return {product(form.net, weights, [](double a, double b) { return a * b; }),
-          weight * (form.noise + kRounding * largest(form.net.values, size))};
+          weight * (form.noise + kRoundingOfStep * largest(form.net.values, size))};
 }
 
 BernsteinNet<double> elevated(const BernsteinNet<double>& net, std::size_t rows, std::size_t columns) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "touching_place.hpp"
 
 namespace splinecore {
@@ -90,9 +91,8 @@ class EdgeCuts {
   }
 
   static bool has_normal(const Slopes<2>& at, const PatchPieces& pieces) {
-    constexpr double kRounding = 0x1p-30;
     const double longer = std::max(glm::length(at.first[0]), glm::length(at.first[1]));
-    return glm::length(glm::cross(at.first[0], at.first[1])) > kRounding * longer * pieces.extent();
+    return glm::length(glm::cross(at.first[0], at.first[1])) > kRoundingOfTouch * longer * pieces.extent();
   }
 
   static bool tells(const EdgeSample& sample) {

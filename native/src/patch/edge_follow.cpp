@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 
@@ -18,14 +19,13 @@ bool is_geometric(PatchSmoothness smoothness) noexcept {
 }
 
 void require_legs(const LocalRows& on) {
-  constexpr double kRounding = 0x1p-46;
   double longest = 0.0;
   double weight = 0.0;
   for (std::size_t i = 0; i < on.rows[0].size(); ++i) {
     longest = std::max(longest, glm::length(glm::dvec3(on.rows[1][i])));
     weight = std::max(weight, std::abs(on.rows[1][i].w));
   }
-  if (longest <= kRounding * weight * largest_coordinate(on.source->rows[0])) {
+  if (longest <= kRoundingOfShape * weight * largest_coordinate(on.source->rows[0])) {
     throw InvalidShape("a patch leaves the edge in no direction: its points beside the edge lie on it");
   }
 }

@@ -4,6 +4,7 @@
 
 #include "base/given_points.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "lines.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
@@ -39,8 +40,7 @@ NurbsPatch unclamped(const NurbsPatch& patch, Axis axis) {
 namespace {
 
 void require_equal_weights(const glm::dvec4& first, const glm::dvec4& last) {
-  constexpr double kRounding = 0x1p-46;
-  if (std::abs(first.w - last.w) <= kRounding * std::abs(first.w)) return;
+  if (std::abs(first.w - last.w) <= kRoundingOfShape * std::abs(first.w)) return;
   throw InvalidShape("weights at the ends are " + text_of(first.w) + " and " + text_of(last.w) +
                      ": a periodic patch needs equal ones");
 }
@@ -71,8 +71,7 @@ bool do_ends_meet(const NurbsPatch& patch, Axis axis) {
 Approximation<NurbsPatch> made_periodic(const NurbsPatch& patch, Axis axis, std::optional<double> tolerance) {
   if (tolerance) require_tolerance(*tolerance);
   if (patch.knot_vector(axis).periodic()) return {patch, 0.0};
-  constexpr double kRounding = 0x1p-46;
-  const double slack = tolerance.value_or(kRounding * largest_coordinate(patch.points()));
+  const double slack = tolerance.value_or(kRoundingOfShape * largest_coordinate(patch.points()));
   const NurbsPatch plain = clamped(patch, axis);
   Approximation<NurbsPatch> best{closed_up(plain, axis), 0.0};
   if (!do_ends_meet(plain, axis)) best = within(slack, patch, std::move(best.value), "the ends do not meet");

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/quotient.hpp"
+#include "base/rounding.hpp"
 #include "common_edge.hpp"
 #include "edge_rows.hpp"
 #include "lines.hpp"
@@ -25,7 +26,6 @@ constexpr std::array<const char*, 4> kNames{"u_start", "u_end", "v_start", "v_en
 
 /// @throws InvalidShape if the side is no edge. @param which  "first"
 void require_edge(const NurbsPatch& patch, Border side, const char* which) {
-  constexpr double kRounding = 0x1p-46;
   const std::string name = "side '" + std::string(kNames[static_cast<int>(side)]) + "' of the " + which + " patch ";
   if (patch.knot_vector(axis_of(side)).periodic()) {
     throw InvalidShape(name + "is the seam of a periodic direction: it has nothing to join");
@@ -40,7 +40,7 @@ void require_edge(const NurbsPatch& patch, Border side, const char* which) {
     throw InvalidShape(name + "lies at infinity");
   }
   const bool is_in_sight = std::ranges::none_of(edge, [](const glm::dvec4& p) { return p.w == 0.0; });
-  if (is_in_sight && extent(edge) <= kRounding * largest_coordinate(patch.points())) {
+  if (is_in_sight && extent(edge) <= kRoundingOfShape * largest_coordinate(patch.points())) {
     throw InvalidShape(name + "is one point: an edge without length cannot be joined");
   }
 }
@@ -89,7 +89,6 @@ bool runs_against(const NurbsCurve& a, const NurbsCurve& b) {
 
 /// The factor by which b's weights come nearest to a's, in the sum of squares.
 double weight_factor(const EdgeRow& a, const EdgeRow& b) {
-  constexpr double kRounding = 0x1p-46;
   double largest = 0.0;
   for (const glm::dvec4& p : b) largest = std::max(largest, std::abs(p.w));
   double product = 0.0;
@@ -99,7 +98,7 @@ double weight_factor(const EdgeRow& a, const EdgeRow& b) {
     square += (b[i].w / largest) * (b[i].w / largest);
   }
   const double factor = product / square / largest;
-  return factor == 0.0 || std::abs(factor - 1.0) <= kRounding ? 1.0 : factor;
+  return factor == 0.0 || std::abs(factor - 1.0) <= kRoundingOfShape ? 1.0 : factor;
 }
 
 NurbsPatch with_weights_times(const NurbsPatch& patch, double factor) {

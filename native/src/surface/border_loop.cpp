@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
@@ -64,12 +65,11 @@ NurbsCurve with_ends(const NurbsCurve& curve, const glm::dvec3& start, const glm
 }  // namespace
 
 BorderLoop border_loop(std::span<const NurbsCurve> curves, std::optional<double> tolerance) {
-  constexpr double kRounding = 0x1p-30;
   std::vector<NurbsCurve> loop = clamped_curves(curves);
   std::vector<bool> is_turned = turn(loop);
   std::vector<glm::dvec4> all;
   for (const NurbsCurve& curve : loop) all.insert(all.end(), curve.points().begin(), curve.points().end());
-  const double most = tolerance.value_or(kRounding * extent(all));
+  const double most = tolerance.value_or(kRoundingOfTouch * extent(all));
   const std::size_t count = loop.size();
   std::vector<glm::dvec3> corners(count);  // corner i is where side i begins
   double error = 0.0;

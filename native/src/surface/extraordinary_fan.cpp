@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "base/rounding.hpp"
 #include "greville.hpp"
 #include "regular_net.hpp"
 #include "rows_beside.hpp"
@@ -228,8 +229,7 @@ class Fan {
   void claim_normal(StarClaims& claims, const std::vector<glm::dvec3>& points) const {
     const glm::dvec3 normal = limit_normal();
     const double size = glm::length(normal);
-    constexpr double kRounding = 0x1p-40;
-    if (!(size > kRounding)) return;
+    if (!(size > kRoundingOfPlace)) return;
     const glm::dvec3 middle = limit();
     std::vector<glm::dvec3> ways;
     for (std::size_t k = 0; k < star_.inner_spokes(); ++k) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "end_scale.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/basis/knot_vector.hpp"
@@ -131,14 +132,13 @@ std::vector<glm::dvec3> HoleSide::points(std::span<const double> s) const {
 }
 
 std::vector<glm::dvec3> HoleSide::across(std::span<const double> s, int order) const {
-  constexpr double kRounding = 0x1p-46;
   std::vector<glm::dvec3> found = gathered<glm::dvec3>(
       s, [&](const PlacedPiece& one, std::span<const double> inside) { return one.piece.across(inside, order); });
   const double start[] = {0.0};
   const double end[] = {1.0};
   for (std::size_t k = 1; k < pieces_.size(); ++k) {
     for (std::size_t i = 0; i < s.size(); ++i) {
-      if (std::abs(s[i] - pieces_[k].from) > kRounding) continue;
+      if (std::abs(s[i] - pieces_[k].from) > kRoundingOfShape) continue;
       found[i] = 0.5 * (pieces_[k - 1].piece.across(end, order).front() + pieces_[k].piece.across(start, order).front());
     }
   }

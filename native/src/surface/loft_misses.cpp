@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "splinecore/basis/samples.hpp"
 #include "splinecore/curve/distance.hpp"
 
@@ -23,7 +24,6 @@ struct RowAt {
 };
 
 RowAt row_at(const RowSpline& spline, const Samples& samples, std::size_t sample, std::size_t width) {
-  constexpr double kRounding = 0x1p-50;
   const auto count = static_cast<std::size_t>(spline.knots.count());
   RowAt made{std::vector<glm::dvec4>(width, glm::dvec4(0.0)), 0.0};
   auto next = static_cast<std::size_t>(samples.first(sample));
@@ -35,7 +35,7 @@ RowAt row_at(const RowSpline& spline, const Samples& samples, std::size_t sample
       made.row[i] += weight * control;
       largest = std::max(largest, length_of(glm::dvec3(control)));
     }
-    made.rounding += kRounding * std::abs(weight) * largest;
+    made.rounding += kRoundingOfStep * std::abs(weight) * largest;
   }
   return made;
 }
@@ -55,16 +55,15 @@ double bound_of(const std::vector<glm::dvec4>& made, const std::vector<glm::dvec
 }  // namespace
 
 double largest_miss(const LoftSections& sections, const RowSpline& spline, std::span<const double> parameters) {
-  constexpr double kRounding = 0x1p-40;
   const Samples samples = Samples::make(spline.knots, parameters.first(sections.rows.size()));
   double largest = 0.0;
   for (std::size_t j = 0; j < sections.rows.size(); ++j) {
     const std::vector<glm::dvec4>& wanted = sections.rows[j].near;
     const RowAt made = row_at(spline, samples, j, wanted.size());
-    if (bound_of(made.row, wanted) + made.rounding <= kRounding) continue;
+    if (bound_of(made.row, wanted) + made.rounding <= kRoundingOfPlace) continue;
     const double off = made.rounding + largest_distance(NurbsCurve::from_homogeneous(sections.knots, made.row),
                                                         NurbsCurve::from_homogeneous(sections.knots, wanted));
-    if (!(off <= kRounding)) largest = std::max(largest, std::isnan(off) ? std::numeric_limits<double>::infinity() : off);
+    if (!(off <= kRoundingOfPlace)) largest = std::max(largest, std::isnan(off) ? std::numeric_limits<double>::infinity() : off);
   }
   return largest;
 }

@@ -11,6 +11,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "build/fit_options.hpp"
 #include "creases.hpp"
 #include "fitted_patch.hpp"
@@ -112,12 +113,11 @@ bool is_point(const NurbsCurve& side, double size) {
 
 /// Whether both sides of a direction are one curve.
 bool closes(const NurbsPatch& patch, Axis axis) {
-  constexpr double kRounding = 0x1p-40;
   const NurbsCurve a = boundary(patch, axis == Axis::u ? Border::u_start : Border::v_start);
   const NurbsCurve b = boundary(patch, axis == Axis::u ? Border::u_end : Border::v_end);
   const double size = extent(patch.points());
   for (std::size_t i = 0; i < a.points().size(); ++i) {
-    if (!(length_of(glm::dvec3(a.points()[i]) - glm::dvec3(b.points()[i])) <= kRounding * size)) return false;
+    if (!(length_of(glm::dvec3(a.points()[i]) - glm::dvec3(b.points()[i])) <= kRoundingOfPlace * size)) return false;
   }
   return true;
 }

@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/evaluate.hpp"
@@ -40,8 +41,7 @@ ScaleAlong::ScaleAlong(const NurbsCurve& curve, const Interval& domain, bool is_
     }
   }
   if (!is_closed) return;
-  constexpr double kRounding = 0x1p-40;
-  if (!curve.periodic() && std::abs(at(own.start) - at(own.end)) > kRounding * largest()) {
+  if (!curve.periodic() && std::abs(at(own.start) - at(own.end)) > kRoundingOfPlace * largest()) {
     throw InvalidShape("the rail is closed: the scale at its end must be that at its start");
   }
   goes_round_ = is_smooth_round();
@@ -55,8 +55,7 @@ bool ScaleAlong::is_smooth_round() const {
   const Interval own = curve_.domain();
   derivatives(curve_, std::span(&own.start, 1), 1, std::span(&first[0].x, 6), {.side = Side::right});
   derivatives(curve_, std::span(&own.end, 1), 1, std::span(&last[0].x, 6), {.side = Side::left});
-  constexpr double kRounding = 0x1p-30;
-  return std::abs(first[1].x - last[1].x) * own.length() <= kRounding * largest();
+  return std::abs(first[1].x - last[1].x) * own.length() <= kRoundingOfTouch * largest();
 }
 
 double ScaleAlong::at(double parameter) const {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "bulge.hpp"
 #include "numeric/linear_equations.hpp"
 #include "one_patch.hpp"
@@ -88,10 +89,9 @@ std::array<double, 5> bulges_of(std::span<const double> s, const std::vector<dou
 class PlacesAtKnots {
  public:
   PlacesAtKnots(std::span<const double> s, const KnotVector& knots) : places_(s.begin(), s.end()) {
-    constexpr double kRounding = 0x1p-46;
     for (std::size_t i = 0; i < places_.size(); ++i) {
-      const auto next = std::ranges::lower_bound(knots.knots(), places_[i] - kRounding);
-      if (next == knots.knots().end() || *next > places_[i] + kRounding) continue;
+      const auto next = std::ranges::lower_bound(knots.knots(), places_[i] - kRoundingOfShape);
+      if (next == knots.knots().end() || *next > places_[i] + kRoundingOfShape) continue;
       if (*next <= knots.domain().start || *next >= knots.domain().end) continue;
       places_[i] = *next;
       at_knots_.push_back(i);

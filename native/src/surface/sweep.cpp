@@ -13,6 +13,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "build/fit_options.hpp"
 #include "closes.hpp"
 #include "fitted_rows.hpp"
@@ -68,7 +69,6 @@ double negligible_angle(std::span<const RailSection> sections, const SweepOption
 }
 
 bool is_straight(const NurbsCurve& rail) {
-  constexpr double kRounding = 0x1p-46;
   const auto points = rail.points();
   if (std::ranges::any_of(points, [](const glm::dvec4& p) { return p.w <= 0.0; })) return false;
   const glm::dvec3 way = glm::dvec3(points.back()) - glm::dvec3(points.front());
@@ -78,7 +78,7 @@ bool is_straight(const NurbsCurve& rail) {
   for (const glm::dvec4& p : points) {
     const glm::dvec3 from = glm::dvec3(p) - glm::dvec3(points.front());
     const double along = glm::dot(from, way) / length;
-    if (along < reached || length_of(from - along / length * way) > kRounding * length) return false;
+    if (along < reached || length_of(from - along / length * way) > kRoundingOfShape * length) return false;
     reached = along;
   }
   return true;

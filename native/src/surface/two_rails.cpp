@@ -8,6 +8,7 @@
 #include "base/length.hpp"
 #include "base/quotient.hpp"
 #include "base/require.hpp"
+#include "base/rounding.hpp"
 #include "build/fit_options.hpp"
 #include "closes.hpp"
 #include "fitted_rows.hpp"
@@ -252,8 +253,7 @@ Approximation<NurbsPatch> sweep(const NurbsCurve& rail, const NurbsCurve& second
   const FittedRows rows = said_outside(space, [&] { return fitted_rows(rows_at, domain, within); });
   along.require_weights(rows);
   const NurbsPatch near = patch_of(along.knots(), rows);
-  constexpr double kRounding = 0x1p-40;
-  const double off_rails = between.gap > kRounding ? between.gap * largest_distance(rails.first, rails.second) : 0.0;
+  const double off_rails = between.gap > kRoundingOfPlace ? between.gap * largest_distance(rails.first, rails.second) : 0.0;
   return {near.with_points(space.leave(near.points())), space.length(rows.error + off_rails)};
 }
 
