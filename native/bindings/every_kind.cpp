@@ -11,6 +11,8 @@
 #include "splinecore/measure/continuity.hpp"
 #include "splinecore/measure/oriented.hpp"
 #include "splinecore/patch/transform.hpp"
+#include "splinecore/region/region.hpp"
+#include "values.hpp"
 #include "verbs.hpp"
 
 namespace bindings {
@@ -66,7 +68,34 @@ void bind_joins(const CurveClasses& cls) {
   });
 }
 
+void bind_patch_closedness(const PatchClasses& cls) {
+  cls.def_property("is_closed", [](const AnyPatch& self) {
+    return unlocked([&] {
+      const splinecore::AnyPatch patch(patch_form(self));
+      return splinecore::is_closed(PatchSet::of(std::span(&patch, 1), true));
+    });
+  });
+}
+
+/// The patches of one set after those of another.
+PatchSet joined_sets(const PatchSet& self, const py::object& other, const py::object& merge) {
+  const bool is_merged = boolean(merge, "merge");
+  std::vector<splinecore::AnyPatch> all;
+  for (std::size_t i = 0; i < self.patches().size(); ++i) all.push_back(self.patch(static_cast<int>(i)));
+  std::optional<splinecore::AnyPatch> one;
+  if (py::isinstance<PatchSet>(other)) {
+    const auto& more = other.cast<const PatchSet&>();
+    for (std::size_t i = 0; i < more.patches().size(); ++i) all.push_back(more.patch(static_cast<int>(i)));
+  } else if (unwrap(other, one)) {
+    all.push_back(*one);
+  } else {
+    throw py::type_error("other must be a patch or a PatchSet, not " + type_name(other));
+  }
+  return unlocked([&] { return PatchSet::of(all, is_merged); });
+}
+
 void bind_set(Class<PatchSet> cls) {
+  cls.def("join", &joined_sets, py::arg("other"), py::arg("merge") = true);
   cls.def_property_readonly("is_closed", [](const PatchSet& self) {
     return unlocked([&] { return splinecore::is_closed(self); });
   });
@@ -86,7 +115,9 @@ void bind_every_kind(py::module_& module) {
   bind_motions(class_of<splinecore::BezierPatch>(module, "BezierPatch"));
   bind_motions(class_of<splinecore::HermitePatch>(module, "HermitePatch"));
   bind_motions(class_of<PatchSet>(module, "PatchSet"));
+  bind_motions(class_of<splinecore::Region>(module, "Region"));
   bind_joins(CurveClasses(module));
+  bind_patch_closedness(PatchClasses(module));
   bind_set(class_of<PatchSet>(module, "PatchSet"));
   bind_least_distances(module);
 }

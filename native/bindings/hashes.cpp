@@ -50,7 +50,7 @@ class Hash {
 };
 
 enum Kind : std::uint64_t {
-  knot_vector, bezier_curve, hermite_curve, nurbs_curve, power_curve, bezier_patch, hermite_patch, nurbs_patch, patch_set
+  knot_vector, bezier_curve, hermite_curve, nurbs_curve, power_curve, bezier_patch, hermite_patch, nurbs_patch, patch_set, region
 };
 
 }  // namespace
@@ -126,6 +126,13 @@ std::size_t hash_of(const splinecore::PatchSet& set) {
     hash.add_all(patch.knots_u);
     hash.add_all(patch.knots_v);
   }
+  return hash.value();
+}
+
+std::size_t hash_of(const splinecore::Region& region) {
+  Hash hash(Kind::region);
+  hash.add(region.normal());
+  for (const splinecore::NurbsCurve& outline : region.outlines()) hash.add(static_cast<std::uint64_t>(hash_of(outline)));
   return hash.value();
 }
 

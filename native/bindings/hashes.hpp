@@ -16,5 +16,6 @@ std::size_t hash_of(const splinecore::BezierPatch& patch);
 std::size_t hash_of(const splinecore::HermitePatch& patch);
 std::size_t hash_of(const splinecore::NurbsPatch& patch);
 std::size_t hash_of(const splinecore::PatchSet& set);
+std::size_t hash_of(const splinecore::Region& region);
 
 }  // namespace bindings

@@ -61,11 +61,11 @@ PYBIND11_MODULE(_splinecore, module) {
   bindings::bind_stationary(module);
   bindings::bind_intersections(module);
   bindings::bind_rays(module);
+  bindings::bind_regions(module);
   bindings::bind_every_kind(module);
   bindings::bind_sections(module);
   bindings::bind_offset(module);
   bindings::bind_curve_parts(module);
-  bindings::bind_regions(module);
   bindings::bind_approximate(module);
   bindings::bind_approximate_patch(module);
   bindings::bind_drags(module);

@@ -142,6 +142,11 @@ void bind_continuity_to(const py::module_& module, const char* name) {
                                    py::none(), reversed);
           }, py::arg("side"), py::arg("other"), py::arg("other_side"),
           py::arg("tolerance") = splinecore::kContinuityTolerance, py::arg("reversed") = py::none());
+  cls.def("join", [](const py::object& self, const py::object& side, const py::object& other, const py::object& other_side,
+                     const py::object& continuity, const py::object& moves, const py::object& reversed) {
+            return join_patches(self, side, other, other_side, continuity, moves, reversed);
+          }, py::arg("side"), py::arg("other"), py::arg("other_side"), py::arg("continuity") = "G1", py::arg("moves") = "second",
+          py::arg("reversed") = py::none());
 }
 
 void bind_join(py::module_& module) {

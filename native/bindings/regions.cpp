@@ -1,10 +1,8 @@
 #include "arrays.hpp"
 #include "classes.hpp"
 #include "every_kind.hpp"
-#include "hashes.hpp"
 #include "long_calls.hpp"
 #include "point_arguments.hpp"
-#include "result_pickles.hpp"
 #include "rooms.hpp"
 #include "splinecore/measure/plane_moments.hpp"
 #include "splinecore/region/offset_region.hpp"
@@ -91,19 +89,11 @@ Region offset(const Region& self, const py::object& distance, const py::object& 
   return unlocked([&] { return splinecore::offset(self, by, turned, near); }, cancel);
 }
 
-py::tuple state_of(const Region& self) { return py::make_tuple(StateOf<glm::dvec3>::from(self.normal()), StateOf<std::vector<NurbsCurve>>::from(self.outlines())); }
-
-std::size_t hash_of_region(const Region& self) {
-  std::size_t hash = self.outlines().size();
-  for (const NurbsCurve& outline : self.outlines()) hash = 31 * hash + hash_of(outline);
-  return hash;
-}
-
 }  // namespace
 
 void bind_regions(py::module_& module) {
   Class<Region> cls(module, "Region", py::module_local());
-  seal(cls);
+  bind_value(cls);
   cls.def_static("of", &region_of, py::arg("curves"), py::arg("normal") = py::none(), py::kw_only(), py::arg("rule") = "even-odd",
                  py::arg("tolerance") = py::none(), py::arg("cancel") = py::none());
   cls.def_property_readonly("outlines", &outlines_of);
@@ -119,12 +109,6 @@ void bind_regions(py::module_& module) {
   cls.def("offset", &offset, py::arg("distance"), py::arg("tolerance") = py::none(), py::kw_only(), py::arg("corner") = "round",
           py::arg("cancel") = py::none());
   cls.def("__bool__", [](const Region& self) { return !self.is_empty(); });
-  cls.def("__eq__", [](const Region& self, const Region& other) { return self == other; }, py::is_operator());
-  cls.def("__hash__", &hash_of_region);
-  cls.def(py::pickle([](const Region& self) -> py::object { return state_of(self); }, [](const py::object& state) {
-    const py::tuple parts = state_of_size(state, 2);
-    return Region::of_outlines(StateOf<std::vector<NurbsCurve>>::to(parts[1]), StateOf<glm::dvec3>::to(parts[0]));
-  }));
   cls.def("__repr__", [](const Region& self) { return "Region(outlines=" + std::to_string(self.outlines().size()) + ")"; });
 }
 

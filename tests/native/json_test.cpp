@@ -159,8 +159,8 @@ TEST(Json, OfAnotherFormatOrANewerVersionIsRefused) {
             "JSON: \"format\": \"splinecore\" is missing: this is not a splinecore file");
   EXPECT_EQ(refusal([] { from_json("[1,2]"); }),
             "JSON: \"format\": \"splinecore\" is missing: this is not a splinecore file");
-  EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":3,"kind":"x"})"); }),
-            "JSON: version 3 was written by a newer splinecore; this one reads up to 2");
+  EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":4,"kind":"x"})"); }),
+            "JSON: version 4 was written by a newer splinecore; this one reads up to 3");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":0})"); }), "JSON: version 0 does not exist");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore","version":"1"})"); }), "JSON: version is not an integer");
   EXPECT_EQ(refusal([] { from_json(R"({"format":"splinecore"})"); }), "JSON: version is missing");

@@ -220,6 +220,7 @@ PATCH = MOVED | RAYS | {
     "isocurve": lambda one, at: [one.isocurve(axis, middle(domain)) for axis, domain in zip("uv", one.domain)],
     "boundary": lambda one, at: [one.boundary(side) for side in SIDES],
     "continuity_to": lambda one, at: one.continuity_to("v_end", one, "v_start"),
+    "join": lambda one, at: one.join("u_end", at.patch.translated(xyz(at, 3)), "u_start", "C0"),
     "dragged": lambda one, at: one.dragged(*map(middle, one.domain), xyz(at, 0.5)),
 }
 RATIONAL_PATCH = {
@@ -263,6 +264,7 @@ def solid(one, at):
 PATCH_SET = MOVED | RAYS | {
     "least_distance": lambda one, at: one.least_distance(at.bezier, 0.1 * at.size),
     "oriented": lambda one, at: one.oriented(),
+    "join": lambda one, at: [one.join(at.patch), one.join(one, merge=False)],
     "__init__": lambda one, at: sc.PatchSet(one.points, one.patches, one.weights),
     "from_patches": lambda one, at: sc.PatchSet.from_patches([one[0]]),
     "with_points": lambda one, at: one.with_points(one.points, one.weights),
@@ -299,7 +301,7 @@ FORMULA = {
     "gradient": lambda one, at: one.gradient(0.5),
     "polynomial": lambda one, at: one.polynomial(),
 }
-REGION = {
+REGION = MOVED | {
     "of": lambda one, at: sc.Region.of(one.outlines, one.normal, rule="nonzero"),
     "union": lambda one, at: one.union(disk(at, 0.5)),
     "intersection": lambda one, at: one.intersection(disk(at, 0.5)),
@@ -343,7 +345,7 @@ METHODS = {
     "HermitePatch": PATCH | HERMITE_PATCH | VALUE,
     "PatchSet": PATCH_SET | VALUE,
     "Tessellation": TESSELLATION | COPIES,
-    "Region": REGION | EQUAL,
+    "Region": REGION | VALUE,
     "Formula": FORMULA | EQUAL,
     "KnotVector": KNOT_VECTOR | EQUAL,
     "Samples": SAMPLES | COPIES,

@@ -28,7 +28,7 @@ NATIVE_ARROWS = {
     'region': {'base', 'conic', 'curve', 'measure', 'meet', 'build'},
     'fit': {'base', 'kernels', 'basis', 'curve', 'patch', 'build', 'meet'},
     'surface': {'base', 'numeric', 'basis', 'conic', 'curve', 'patch', 'measure', 'meet', 'build', 'fit', 'kernels'},
-    'exchange': {'base', 'basis', 'curve', 'patch', 'tessellate'},
+    'exchange': {'base', 'basis', 'curve', 'patch', 'region', 'tessellate'},
 }
 # A room of the add-on may import itself and these.
 ADDON_ARROWS = {'core': set(), 'bridge': {'core'}, 'ui': {'core', 'bridge'}}

@@ -229,6 +229,16 @@ def test_a_damaged_file_is_told_of(capsys, tmp_path, content, words):
     assert (code, out) == (2, "") and err.startswith("splinecore: ") and words in err and err.count("\n") == 1
 
 
+def test_regions_are_told_of_and_written_by_their_outlines(capsys, file, tmp_path):
+    ring = sc.Region.of([sc.conics.circle((0, 0, 0), 2.0), sc.conics.circle((0, 0, 0), 1.0)])
+    path, disk = file("ring.json", ring), file("disk.json", sc.Region.of([sc.conics.circle((0, 0, 0), 2.0)]))
+    assert "Region: 2 outlines; area 9.42477796" in call(capsys, "info", path)[1]
+    assert call(capsys, "compare", path, path)[0] == 0 and "2 and 1 outlines" in call(capsys, "compare", path, disk)[1]
+    assert call(capsys, "convert", path, tmp_path / "a.json", "--to", "nurbs")[0] == 0
+    assert len(sc.loads((tmp_path / "a.json").read_text())) == 2
+    assert "2 lines" in call(capsys, "tessellate", path, tmp_path / "a.obj")[1]
+
+
 def test_wrong_places_and_endings_are_told_of(capsys, file, tmp_path):
     path = file("a.json", torus())
     for arguments, words in (

@@ -99,6 +99,69 @@ def test_curves_of_any_kinds_are_joined(first, second):
         a.join(3)
 
 
+def ring():
+    return sc.Region.of([sc.conics.circle((1, 0, 3), 2.0), sc.conics.circle((1.5, 0, 3), 1.0)])
+
+
+def test_regions_are_moved_with_what_is_in_them():
+    one, rng = ring(), np.random.default_rng(7)
+    points = np.c_[rng.uniform(-2, 4, (200, 2)), np.full(200, 3.0)]
+    inside = one.contains(points)
+    for matrix in (*rng.normal(size=(40, 3, 4)) * 10.0 ** rng.integers(-3, 4, (40, 1, 1)), np.diag([-1.0, 1, 1, 1])[:3], np.diag([1.0, 1, -1, 1])[:3]):
+        moved = one.transformed(matrix)
+        assert (moved.contains(points @ matrix[:, :3].T + matrix[:, 3]) == inside).all()
+        cofactors = np.linalg.det(matrix[:, :3]) * np.linalg.inv(matrix[:, :3]).T
+        assert moved.area() == pytest.approx(one.area() * np.linalg.norm(cofactors @ one.normal), rel=1e-6)
+        assert near(moved.normal, cofactors @ one.normal / np.linalg.norm(cofactors @ one.normal))
+        assert all((outline.points[0] == outline.points[-1]).all() or outline.periodic for outline in moved.outlines)
+    assert one.translated((1, -2, 4)).translated((-1, 2, -4)).area() == pytest.approx(one.area())
+    assert near(one.rotated(np.pi, (1, 0, 0)).normal, -one.normal) and one.scaled(3).area() == pytest.approx(9 * one.area())
+    for call in (lambda: one.transformed(PERSPECTIVE), lambda: one.transformed(np.diag([0, 1, 1])), lambda: one.scaled(0)):
+        with pytest.raises(sc.InvalidShape, match="not affine|flattens|zero|0"):
+            call()
+    assert not (one - one).translated((1, 2, 3))
+
+
+def test_regions_are_drawn_and_written(tmp_path):
+    one = ring()
+    assert "evenodd" in one._repr_svg_() and "empty" in (one - one)._repr_svg_()
+    sc.meshes.save(tmp_path / "a.obj", [one])
+    assert (tmp_path / "a.obj").read_text().count("\nl ") >= 2
+    with pytest.raises(sc.InvalidShape, match="STL"):
+        sc.meshes.save(tmp_path / "a.stl", one)
+    with pytest.raises(FileNotFoundError, match=r"b\.obj'$"):
+        sc.meshes.save(tmp_path / "none" / "b.obj", one)
+
+
+def test_patches_say_whether_they_are_closed():
+    assert build.sphere((0, 0, 0), 1).is_closed and shapes.torus().is_closed
+    assert not build.extrude(shapes.circle(), (0, 0, 1)).is_closed and not PATCHES["bezier"].is_closed
+    for name, patch in PATCHES.items():
+        assert patch.is_closed == sc.PatchSet.from_patches([patch]).is_closed, name
+
+
+@pytest.mark.parametrize("name", PATCHES)
+def test_patches_of_every_kind_join_a_side_as_the_function_does(name):
+    a = PATCHES[name] if name != "nurbs" else build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    b = a.translated((0.5, 9, 0.25))
+    joined, want = a.join("u_end", b, "u_start", "C0"), build.join_patches(a, "u_end", b, "u_start", "C0")
+    assert joined.first == want.first and joined.second == want.second and joined.second_error == want.second_error
+    with pytest.raises(TypeError, match="second|other"):
+        a.join("u_end", 3, "u_start")
+
+
+def test_sets_join_patches_and_sets():
+    a = build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+    one = sc.PatchSet.from_patches([a])
+    two = one.join(a.translated((1, 0, 0)))
+    assert len(two) == 2 and two.edge_counts()["shared"] == 1 and len(two.points) == 6
+    assert two == sc.PatchSet.from_patches([a, a.translated((1, 0, 0))])
+    four = two.join(two.translated((0, 1, 0)), merge=False)
+    assert len(four) == 4 and len(four.points) == 16 and two.join(two.translated((0, 1, 0))).edge_counts()["shared"] == 4
+    with pytest.raises(TypeError, match="other must be a patch or a PatchSet, not int"):
+        one.join(3)
+
+
 def test_curves_say_whether_they_are_closed():
     assert shapes.circle().is_closed and shapes.closed_cubic().is_closed
     assert not shapes.cubic().is_closed and not shapes.hyperbola().is_closed

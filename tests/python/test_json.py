@@ -14,7 +14,11 @@ finite = st.floats(allow_nan=False, allow_infinity=False, width=64)
 
 
 def values():
-    return [*curves(), *patches(), sc.PatchSet.from_patches(patches())]
+    return [*curves(), *patches(), sc.PatchSet.from_patches(patches()), ring(), ring() - ring()]
+
+
+def ring():
+    return sc.Region.of([sc.conics.circle((1, 0, 0), 2.0), circle()])
 
 
 @pytest.mark.parametrize("value", values(), ids=lambda value: type(value).__name__)
@@ -58,7 +62,7 @@ DAMAGED = [
     ("", "damaged at byte"), ("{", "damaged at byte"), ("[1, 2]", "splinecore"), ("3", "splinecore"), ("null", "splinecore"),
     ("{}", "splinecore"), ('{"format": "other"}', "splinecore"), ('{"format": "splinecore"}', "version"),
     ('{"format": "splinecore", "version": 1}', "kind"),
-    ('{"format": "splinecore", "version": 3, "kind": "bezier_curve"}', "newer"),
+    ('{"format": "splinecore", "version": 4, "kind": "bezier_curve"}', "newer"),
     ('{"format": "splinecore", "version": 0}', "version 0"), ('{"format": "splinecore", "version": "1"}', "version"),
     ('{"format": "splinecore", "version": 1, "kind": "cone"}', "cone"),
     ('{"format": "splinecore", "version": 1, "items": 3}', "items"),
@@ -110,7 +114,7 @@ def changed(tree, path, junk):
 
 
 SMALL = [semicircle(), hermite_chain(), cubic(), closed_cubic(), sc.BezierPatch(np.arange(18).reshape(2, 3, 3)),
-         parabola(), hermite_net(), sc.PatchSet.from_patches([hermite_net(), patches()[1]])]
+         parabola(), hermite_net(), sc.PatchSet.from_patches([hermite_net(), patches()[1]]), ring()]
 
 
 @pytest.mark.parametrize("value", SMALL, ids=lambda value: type(value).__name__)
@@ -127,6 +131,7 @@ def test_no_change_of_one_place_is_worse_than_invalid_shape(value):
 def test_a_text_is_of_the_first_version_that_knows_its_kinds():
     assert json.loads(circle().dumps())["version"] == 1 and json.loads(parabola().dumps())["version"] == 2
     assert json.loads(sc.dumps([circle(), parabola()]))["version"] == 2
+    assert json.loads(sc.dumps([circle(), ring(), parabola()]))["version"] == 3
     assert sc.loads(circle().dumps().replace('"version":1', '"version":2')) == circle()
 
 

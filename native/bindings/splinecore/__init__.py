@@ -111,3 +111,4 @@ del _name
 # What notebooks show.
 NurbsCurve._repr_svg_ = BezierCurve._repr_svg_ = HermiteCurve._repr_svg_ = PowerCurve._repr_svg_ = _svg.curve
 NurbsPatch._repr_svg_ = BezierPatch._repr_svg_ = HermitePatch._repr_svg_ = PatchSet._repr_svg_ = _svg.surface
+Region._repr_svg_ = _svg.region

@@ -65,6 +65,7 @@ _Sides = _Side | tuple[_Side, _Side]
 _AtInfinity = Literal["raise", "nan"]
 _Axis = Literal["u", "v"]
 _Border = Literal["u_start", "u_end", "v_start", "v_end"]
+_PatchSmoothness = Literal["C0", "G1", "C1", "G2", "C2"]
 _Smoothness = Literal["C0", "G1", "C1", "C2"]
 _Pair = Sequence[SupportsIndex]
 _Knots = Sequence[ArrayLike]
@@ -1046,6 +1047,120 @@ class Region:
     def __and__(self, other: Region, /) -> Region: ...
     def __sub__(self, other: Region, /) -> Region: ...
     def __xor__(self, other: Region, /) -> Region: ...
+    def transformed(self, matrix: ArrayLike) -> Region:
+        """Apply a linear or affine map. Of a mirrored region the normal points the other way.
+
+        Parameters
+        ----------
+        matrix : array_like
+            Matrix (3, 3), (3, 4) or (4, 4) that is applied to columns.
+
+        Returns
+        -------
+        Region
+            The image of the region.
+
+        Raises
+        ------
+        InvalidShape
+            If the map is projective, or flattens the region.
+
+        Examples
+        --------
+        >>> disk = sc.Region.of([sc.conics.circle((0, 0, 0), 1.0)])
+        >>> ellipse = disk.transformed([[2, 0, 0], [0, 1, 0], [0, 0, 1]])
+        >>> round(ellipse.area() / np.pi, 9)
+        2.0
+        """
+    def translated(self, by: ArrayLike) -> Region:
+        """Move the shape by a vector.
+
+        Parameters
+        ----------
+        by : array_like
+            Vector (2 or 3,).
+
+        Returns
+        -------
+        Region
+            The moved shape.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).translated((5, 0, 1)).points.tolist()
+        [[5.0, 0.0, 1.0], [6.0, 2.0, 1.0]]
+        """
+    def rotated(self, angle: float, axis: ArrayLike = (0, 0, 1), about: ArrayLike = (0, 0, 0)) -> Region:
+        """Rotate the shape about an axis, counterclockwise as seen from its tip.
+
+        Parameters
+        ----------
+        angle : float
+            Angle in radians.
+        axis : array_like, default (0, 0, 1)
+            Vector (3,) along the axis; only its direction counts.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) on the axis.
+
+        Returns
+        -------
+        Region
+            The rotated shape.
+
+        Raises
+        ------
+        InvalidShape
+            If the axis is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).rotated(np.pi, about=(1, 0)).points.round(9)[1].tolist()
+        [1.0, -2.0, 0.0]
+        """
+    def scaled(self, factor: ArrayLike, about: ArrayLike = (0, 0, 0)) -> Region:
+        """Scale the shape about a point.
+
+        Parameters
+        ----------
+        factor : array_like
+            A number, or one for each coordinate (3,); a negative one mirrors.
+        about : array_like, default (0, 0, 0)
+            Point (2 or 3,) that stays.
+
+        Returns
+        -------
+        Region
+            The scaled shape.
+
+        Raises
+        ------
+        InvalidShape
+            If a factor is zero.
+
+        Examples
+        --------
+        >>> sc.BezierCurve([(0, 0), (1, 2)]).scaled((2, -1, 1)).points[1].tolist()
+        [2.0, -2.0, 0.0]
+        """
+    def dumps(self) -> str:
+        """Write the shape as JSON text.
+
+        Returns
+        -------
+        str
+            Text that `loads` reads back equal in every bit.
+
+        Examples
+        --------
+        >>> curve = sc.BezierCurve([(0, 0), (1, 2), (2, 0)])
+        >>> sc.loads(curve.dumps()) == curve
+        True
+        """
     def __bool__(self) -> bool: ...
     def __eq__(self, other: object, /) -> bool: ...
     def __hash__(self) -> int: ...
@@ -11042,6 +11157,62 @@ class NurbsPatch:
         >>> plane.boundary("v_end").points.tolist()
         [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
         """
+    @property
+    def is_closed(self) -> bool:
+        """Whether the patch bounds a volume: every side is a pole or lies on another side, as on a sphere or a
+        torus.
+
+        Examples
+        --------
+        >>> ball, tube = sc.build.sphere((0, 0, 0), 1.0), sc.build.extrude(sc.conics.circle((0, 0, 0), 1.0), (0, 0, 1))
+        >>> ball.is_closed, tube.is_closed
+        (True, False)
+        """
+    def join(
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        continuity: _PatchSmoothness = "G1",
+        moves: Literal["second", "first", "both"] = "second",
+        reversed: bool | None = None,
+    ) -> JoinedPatches:
+        """Bring another patch to a side of this one: `build.join_patches`.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        continuity : {'C0', 'G1', 'C1', 'G2', 'C2'}, default 'G1'
+            As of `build.join_patches`.
+        moves : {'second', 'first', 'both'}, default 'second'
+            Which patch moves: the other one is the second.
+        reversed : bool, optional
+            Whether the other side runs against this one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        JoinedPatches
+            Both patches, and how far each moved.
+
+        Raises
+        ------
+        InvalidShape
+            If a side is one point, lies at infinity or is the seam of a periodic direction, or the join
+            is not possible.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1.1, 0, 0), (1, 0, 1), (0, 1, 0))
+        >>> joined = a.join("u_end", b, "u_start", "C0")
+        >>> joined.first.continuity_to("u_end", joined.second, "u_start").gap
+        0.0
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -12785,6 +12956,62 @@ class BezierPatch:
         >>> plane.boundary("v_end").points.tolist()
         [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
         """
+    @property
+    def is_closed(self) -> bool:
+        """Whether the patch bounds a volume: every side is a pole or lies on another side, as on a sphere or a
+        torus.
+
+        Examples
+        --------
+        >>> ball, tube = sc.build.sphere((0, 0, 0), 1.0), sc.build.extrude(sc.conics.circle((0, 0, 0), 1.0), (0, 0, 1))
+        >>> ball.is_closed, tube.is_closed
+        (True, False)
+        """
+    def join(
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        continuity: _PatchSmoothness = "G1",
+        moves: Literal["second", "first", "both"] = "second",
+        reversed: bool | None = None,
+    ) -> JoinedPatches:
+        """Bring another patch to a side of this one: `build.join_patches`.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        continuity : {'C0', 'G1', 'C1', 'G2', 'C2'}, default 'G1'
+            As of `build.join_patches`.
+        moves : {'second', 'first', 'both'}, default 'second'
+            Which patch moves: the other one is the second.
+        reversed : bool, optional
+            Whether the other side runs against this one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        JoinedPatches
+            Both patches, and how far each moved.
+
+        Raises
+        ------
+        InvalidShape
+            If a side is one point, lies at infinity or is the seam of a periodic direction, or the join
+            is not possible.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1.1, 0, 0), (1, 0, 1), (0, 1, 0))
+        >>> joined = a.join("u_end", b, "u_start", "C0")
+        >>> joined.first.continuity_to("u_end", joined.second, "u_start").gap
+        0.0
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -14234,6 +14461,62 @@ class HermitePatch:
         >>> plane.boundary("v_end").points.tolist()
         [[0.0, 1.0, 0.0], [4.0, 1.0, 0.0]]
         """
+    @property
+    def is_closed(self) -> bool:
+        """Whether the patch bounds a volume: every side is a pole or lies on another side, as on a sphere or a
+        torus.
+
+        Examples
+        --------
+        >>> ball, tube = sc.build.sphere((0, 0, 0), 1.0), sc.build.extrude(sc.conics.circle((0, 0, 0), 1.0), (0, 0, 1))
+        >>> ball.is_closed, tube.is_closed
+        (True, False)
+        """
+    def join(
+        self,
+        side: _Border,
+        other: _Patch,
+        other_side: _Border,
+        continuity: _PatchSmoothness = "G1",
+        moves: Literal["second", "first", "both"] = "second",
+        reversed: bool | None = None,
+    ) -> JoinedPatches:
+        """Bring another patch to a side of this one: `build.join_patches`.
+
+        Parameters
+        ----------
+        side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of this patch.
+        other : patch
+            A patch of any kind.
+        other_side : {'u_start', 'u_end', 'v_start', 'v_end'}
+            The side of the other patch.
+        continuity : {'C0', 'G1', 'C1', 'G2', 'C2'}, default 'G1'
+            As of `build.join_patches`.
+        moves : {'second', 'first', 'both'}, default 'second'
+            Which patch moves: the other one is the second.
+        reversed : bool, optional
+            Whether the other side runs against this one; by default as their ends lie nearer.
+
+        Returns
+        -------
+        JoinedPatches
+            Both patches, and how far each moved.
+
+        Raises
+        ------
+        InvalidShape
+            If a side is one point, lies at infinity or is the seam of a periodic direction, or the join
+            is not possible.
+
+        Examples
+        --------
+        >>> a = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> b = sc.build.plane((1.1, 0, 0), (1, 0, 1), (0, 1, 0))
+        >>> joined = a.join("u_end", b, "u_start", "C0")
+        >>> joined.first.continuity_to("u_end", joined.second, "u_start").gap
+        0.0
+        """
     def continuity_to(
         self,
         side: _Border,
@@ -14697,6 +14980,32 @@ class PatchSet:
         >>> ball, tube = sc.build.sphere((0, 0, 0), 1.0), sc.build.cylinder((0, 0, 0), (0, 0, 1), 1.0, 2.0)
         >>> [sc.PatchSet.from_patches([patch]).is_closed for patch in (ball, tube)]
         [True, False]
+        """
+    def join(self, other: _Patch | PatchSet, merge: bool = True) -> PatchSet:
+        """Put the patches of another set, or another patch, behind those of the set.
+
+        Parameters
+        ----------
+        other : patch or PatchSet
+            A patch of any kind, or a set.
+        merge : bool, default True
+            Whether equal control points become one, so that the patches hang together.
+
+        Returns
+        -------
+        PatchSet
+            One set.
+
+        Raises
+        ------
+        InvalidShape
+            If an argument is not valid: the message names it, the first offending index and its value.
+
+        Examples
+        --------
+        >>> ends = sc.build.plane((0, 0, 0), (1, 0, 0), (0, 1, 0)), sc.build.plane((1, 0, 0), (1, 0, 0), (0, 1, 0))
+        >>> sc.PatchSet.from_patches(ends[:1]).join(ends[1]).edge_counts()["shared"]
+        1
         """
     def oriented(self, *, cancel: _Cancel | None = None) -> PatchSet:
         """Turn patches so that normals agree across common edges, and point outwards where the set is closed.
@@ -15652,7 +15961,7 @@ class Formula:
     def __deepcopy__(self, memo: object, /) -> Formula: ...
 
 _Value = (
-    NurbsCurve | BezierCurve | HermiteCurve | PowerCurve | NurbsPatch | BezierPatch | HermitePatch | PatchSet
+    NurbsCurve | BezierCurve | HermiteCurve | PowerCurve | NurbsPatch | BezierPatch | HermitePatch | PatchSet | Region
 )
 
 def dumps(value: _Value | Sequence[_Value]) -> str:
@@ -15660,8 +15969,8 @@ def dumps(value: _Value | Sequence[_Value]) -> str:
 
     Parameters
     ----------
-    value : NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or sequence of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet
-        A curve, a patch, a set, or a list of them.
+    value : NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or Region or sequence of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or Region
+        A curve, a patch, a set, a region, or a list of them.
 
     Returns
     -------
@@ -15689,7 +15998,7 @@ def loads(text: str | bytes) -> _Value | list[_Value]:
 
     Returns
     -------
-    NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or list of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet
+    NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or Region or list of NurbsCurve or BezierCurve or HermiteCurve or PowerCurve or NurbsPatch or BezierPatch or HermitePatch or PatchSet or Region
         A shape, or a list of shapes.
 
     Raises

@@ -27,6 +27,11 @@ def surface(shape):
     return _guarded(shape, _surface)
 
 
+def region(shape):
+    """The outlines of a region, its inside shaded."""
+    return _guarded(shape, _region)
+
+
 def _guarded(shape, draw):
     try:
         with np.errstate(all="ignore"):
@@ -55,6 +60,17 @@ def _curve(shape):
     ends = net.reshape(-1, 2) if len(net) else seen[:4 * len(segments)].reshape(-1, 4, 2)[:, ::3].reshape(-1, 2)[[0, -1]]
     layers = [_stroke(_lines_path(net), _NET, 8), _stroke(path, _CURVE, 20), _stroke(_dots_path(ends), _NET, 50)]
     return _document(shape, layers, size, notes)
+
+
+def _region(shape):
+    outlines = [_cubics.cubics(outline, _SEGMENTS) for outline in shape.outlines]
+    segments = np.concatenate(outlines) if outlines else np.empty((0, 4, 3))
+    points = segments.reshape(-1, 3)
+    seen, size = _placed(points, is_flat=_is_flat(points)) if outlines else (points[:, :2], (0, 0))
+    rows = np.split(seen.reshape(-1, 4, 2), np.cumsum([len(outline) for outline in outlines])[:-1]) if outlines else []
+    path = "".join(_curve_path(row) + "z" for row in rows)
+    inside = f'<path d="{path}" fill="{_CURVE}" fill-opacity=".2" fill-rule="evenodd"/>' if path else ""
+    return _document(shape, [inside, _stroke(path, _CURVE, 20)], size, [] if outlines else ["empty"])
 
 
 def _surface(shape):

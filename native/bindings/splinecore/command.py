@@ -17,6 +17,7 @@ from . import (
     NurbsPatch,
     PatchSet,
     PowerCurve,
+    Region,
     __instruction_set__,
     __version__,
     bpt,
@@ -101,6 +102,9 @@ def shapes(count):
 def describe(value):
     """One line on a shape."""
     kind = type(value).__name__
+    if isinstance(value, Region):
+        count = len(value.outlines)
+        return f"Region: {count} {'outline' if count == 1 else 'outlines'}; area {value.area():.9g}"
     if isinstance(value, PatchSet):
         facts = [f"{len(value)} patches, {len(value.points)} points"]
     elif isinstance(value, PATCHES):
@@ -159,8 +163,8 @@ def converted(value, kind):
     """The shapes of this kind that a shape is made of."""
     if kind is None:
         return [value]
-    if isinstance(value, PatchSet):
-        return [part for patch in patches_of(value) for part in converted(patch, kind)]
+    if isinstance(value, (PatchSet, Region)):
+        return [part for patch in parts_of(value) for part in converted(patch, kind)]
     if kind == "nurbs":
         return [value.to_nurbs()]
     if isinstance(value, (BezierCurve, BezierPatch)):
@@ -171,8 +175,10 @@ def converted(value, kind):
     return made if isinstance(made, list) else [made]
 
 
-def patches_of(value):
-    """The patches of a set, or the one that a patch is."""
+def parts_of(value):
+    """The patches of a set, the outlines of a region, or the one that a curve or a patch is."""
+    if isinstance(value, Region):
+        return list(value.outlines)
     return [value[i] for i in range(len(value))] if isinstance(value, PatchSet) else [value]
 
 
@@ -181,7 +187,7 @@ def one_set(values):
     patches = []
     for value in values:
         if isinstance(value, SURFACES):
-            patches += patches_of(value)
+            patches += parts_of(value)
         else:
             raise Refused(f"a {type(value).__name__} is no surface: BPT holds Bezier patches alone")
     return PatchSet.from_patches(patches)
@@ -197,7 +203,7 @@ def tessellate(args):
         if isinstance(value, SURFACES):
             found.append(mesh_of(value, args))
         else:
-            lines += value.polylines(args.resolution or 32)
+            lines += [line for curve in parts_of(value) for line in curve.polylines(args.resolution or 32)]
         progress.step()
     ending = Path(args.output).suffix.lower()
     if ending == ".stl" and lines:
@@ -248,7 +254,7 @@ def compare_places(a, b, args):
     progress = Progress(2, args.progress)
     apart = []
     for kind, is_surface in (("curves", False), ("surfaces", True)):
-        parts = [[part for value in values if isinstance(value, SURFACES) == is_surface for part in patches_of(value)]
+        parts = [[part for value in values if isinstance(value, SURFACES) == is_surface for part in parts_of(value)]
                  for values in (a, b)]
         progress.step()
         if all(parts):
@@ -281,10 +287,11 @@ def difference(a, b, tolerance):
         return "", True
     if isinstance(a, SURFACES) != isinstance(b, SURFACES):
         return f"a {type(a).__name__} and a {type(b).__name__}", False
-    if isinstance(a, PatchSet) or isinstance(b, PatchSet):
-        parts = [patches_of(value) for value in (a, b)]
+    if isinstance(a, (PatchSet, Region)) or isinstance(b, (PatchSet, Region)):
+        parts = [parts_of(value) for value in (a, b)]
         if len(parts[0]) != len(parts[1]):
-            return f"{len(parts[0])} and {len(parts[1])} patches", False
+            kind = "patches" if isinstance(a, SURFACES) else "outlines"
+            return f"{len(parts[0])} and {len(parts[1])} {kind}", False
         distance = max(distance_of(*pair) for pair in zip(*parts))
     else:
         distance = distance_of(a, b)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ._splinecore import BezierPatch, HermitePatch, InvalidShape, NurbsPatch, PatchSet, Tessellation, _mesh_file
+from ._splinecore import BezierPatch, HermitePatch, InvalidShape, NurbsPatch, PatchSet, Region, Tessellation, _mesh_file
 
 __all__ = ["glb", "mesh", "obj", "ply", "save", "stl"]
 
@@ -62,7 +62,7 @@ def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
     path : path
         A file that ends with .obj, .ply, .stl or .glb; it is written whole or not at all.
     shapes : shape or sequence of shapes
-        Curves, patches and sets. STL has no curves.
+        Curves, patches, sets, and regions, whose outlines are written. STL has no curves.
     resolution : int, optional
         Faces, or pieces of a curve, in every span: 8 and 32 where nothing is given.
     tolerance : float, optional
@@ -99,7 +99,8 @@ def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
         if isinstance(shape, (PatchSet, *_PATCHES)):
             found.append(mesh(shape, resolution=resolution, tolerance=tolerance, angle=angle))
         else:
-            lines += shape.polylines(_PIECES if resolution is None else resolution)
+            curves = shape.outlines if isinstance(shape, Region) else [shape]
+            lines += [line for curve in curves for line in curve.polylines(_PIECES if resolution is None else resolution)]
     if ending == ".stl" and lines:
         raise InvalidShape("STL holds triangles alone, no curves")
     data = _mesh_file(ending, found, lines)
@@ -107,6 +108,8 @@ def save(path, shapes, *, resolution=None, tolerance=None, angle=None):
     try:
         part.write_bytes(data)
         part.replace(path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
     finally:
         part.unlink(missing_ok=True)
 

@@ -52,7 +52,7 @@ def save(path: str | PathLike[str], shapes: _Shape | Sequence[_Shape], *, resolu
     path : path
         A file that ends with .obj, .ply, .stl or .glb; it is written whole or not at all.
     shapes : shape or sequence of shapes
-        Curves, patches and sets. STL has no curves.
+        Curves, patches, sets, and regions, whose outlines are written. STL has no curves.
     resolution : int, optional
         Faces, or pieces of a curve, in every span: 8 and 32 where nothing is given.
     tolerance : float, optional

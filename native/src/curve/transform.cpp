@@ -10,13 +10,9 @@
 
 namespace splinecore {
 
-namespace {
-
 bool is_affine(const glm::dmat4& matrix) noexcept {
   return matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 && matrix[3][3] == 1.0;
 }
-
-}  // namespace
 
 std::vector<glm::dvec4> transformed(std::span<const glm::dvec4> given, const glm::dmat4& matrix) {
   const bool is_rational = splinecore::is_rational(given);

@@ -203,6 +203,21 @@ PatchSet patch_set(const Json& object) {
   return PatchSet::make(list<glm::dvec4>(field(object, "points"), "points"), std::move(patches));
 }
 
+Region region(const Json& object) {
+  const auto across = numbers(field(object, "normal"), "normal");
+  if (across.size() != 3) refuse("normal", "has not 3 numbers");
+  std::vector<NurbsCurve> outlines;
+  for (const Json& item : array(field(object, "outlines"), "outlines")) {
+    if (field(item, "kind") != "nurbs_curve") refuse("outlines" + index_text(outlines.size()), "is no nurbs_curve");
+    outlines.push_back(nurbs_curve(item));
+  }
+  try {
+    return Region::of_outlines(std::move(outlines), {across[0], across[1], across[2]});
+  } catch (const PointAtInfinity& error) {
+    refuse("outlines:", error.what());
+  }
+}
+
 Value value_of(const Json& object) {
   const Json& kind = field(object, "kind");
   if (kind == "bezier_curve") return BezierCurve::make(list<glm::dvec4>(field(object, "points"), "points"));
@@ -218,6 +233,7 @@ Value value_of(const Json& object) {
   }
   if (kind == "patch_set") return patch_set(object);
   if (kind == "power_curve") return power_curve(object);
+  if (kind == "region") return region(object);
   refuse("kind " + kind.dump(), "is not known");
 }
 

@@ -63,6 +63,10 @@ class Shown {
     meshes_.push_back(std::move(made));
   }
 
+  void add_shape(const Region& region) {
+    for (const NurbsCurve& outline : region.outlines()) add_shape(outline);
+  }
+
   template <class Shape>
   void add_shape(const Shape& shape) {
     if constexpr (std::is_constructible_v<AnyPatch, Shape>) {

@@ -98,12 +98,21 @@ OrderedJson content(const PowerCurve& curve) {
           {"domain", {curve.domain().start, curve.domain().end}}, {"coefficients", list(curve.coefficients())}};
 }
 
+OrderedJson content(const Region& region) {
+  OrderedJson outlines = OrderedJson::array();
+  for (const NurbsCurve& outline : region.outlines()) outlines.push_back(content(outline));
+  return {{"kind", "region"}, {"normal", row(region.normal())}, {"outlines", outlines}};
+}
+
 OrderedJson content(const Value& value) {
   return std::visit([](const auto& shape) { return content(shape); }, value);
 }
 
 /// The first version that knows the kind.
-int version_of(const Value& value) { return std::holds_alternative<PowerCurve>(value) ? 2 : 1; }
+int version_of(const Value& value) {
+  if (std::holds_alternative<Region>(value)) return 3;
+  return std::holds_alternative<PowerCurve>(value) ? 2 : 1;
+}
 
 int version_of(const Document& document) {
   if (const auto* value = std::get_if<Value>(&document)) return version_of(*value);

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/rounding.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/curve/evaluate.hpp"
 #include "splinecore/fit/approximate.hpp"
@@ -26,6 +28,16 @@ class SmoothFits {
 
   /// @param exponent  of two, by which that of the smoothing differs from what goes with the points and the domain
   Approximation<NurbsCurve> smooth(double exponent) { return made(unit_ * std::exp2(exponent)); }
+
+  /// A residual that is no more than rounding of the points.
+  double rounding() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double off = kRoundingOfShape * std::max({std::abs(points_[i].x), std::abs(points_[i].y), std::abs(points_[i].z)});
+      sum += (options_.weights.empty() ? 1.0 : options_.weights[i]) * off * off;
+    }
+    return sum;
+  }
 
   double residual_of(const NurbsCurve& curve) const {
     std::vector<glm::dvec3> at(points_.size());
@@ -69,6 +81,7 @@ Approximation<NurbsCurve> approximate_smoothly(std::span<const glm::dvec3> point
   SmoothFits fits(points, parameters, knots, options);
   Approximation<NurbsCurve> best = fits.rough();
   const double least = fits.residual_of(best.value);
+  if (least <= fits.rounding() && least > residual) return best;
   if (least > residual) {
     throw ToleranceNotReached("the points cannot be approximated by " + std::to_string(knots.count()) +
                                   " control points with this residual", residual, least);

@@ -1,18 +1,22 @@
 #include "splinecore/region/region.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <string>
 #include <utility>
 
 #include "base/length.hpp"
+#include "base/rounding.hpp"
 #include "boundary.hpp"
 #include "build/curve_ends.hpp"
+#include "curve/affine.hpp"
 #include "measure/unit_direction.hpp"
 #include "region_plane.hpp"
 #include "splinecore/base/errors.hpp"
 #include "splinecore/base/points.hpp"
 #include "splinecore/curve/ends.hpp"
+#include "splinecore/curve/transform.hpp"
 #include "splinecore/measure/plane_curve.hpp"
 #include "splinecore/meet/nearest.hpp"
 
@@ -83,6 +87,21 @@ Region combined(const Region& a, const Region& b, RegionOperation operation, std
   require_one_plane(loops.curves, normal, near);
   const auto is_inside = [&](std::span<const int> windings) { return is_in(operation, windings[0] > 0, windings[1] > 0); };
   return Region(boundary_of(loops, is_inside, normal, near), normal);
+}
+
+Region transformed(const Region& region, const glm::dmat4& matrix) {
+  if (!is_affine(matrix)) throw InvalidShape("the map is not affine: take that of each of the outlines");
+  const glm::dmat3 linear(matrix);
+  const glm::dvec3 across = std::abs(region.normal().x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+  const glm::dvec3 x = glm::normalize(glm::cross(region.normal(), across));
+  const glm::dvec3 moved_x = linear * x;
+  const glm::dvec3 moved_y = linear * glm::cross(region.normal(), x);
+  const double scale = length_of(moved_x) * length_of(moved_y);
+  const glm::dvec3 normal = glm::cross(moved_x, moved_y);
+  if (!(length_of(normal) > kRoundingOfShape * scale)) throw InvalidShape("the map flattens the region");
+  std::vector<NurbsCurve> outlines;
+  for (const NurbsCurve& outline : region.outlines()) outlines.push_back(transformed(outline, matrix));
+  return Region::of_outlines(std::move(outlines), normal);
 }
 
 std::vector<bool> contains(const Region& region, std::span<const glm::dvec3> points) {

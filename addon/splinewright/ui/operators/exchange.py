@@ -240,6 +240,11 @@ class SPLINEWRIGHT_OT_export_bpt(_Bpt, _Export, bpy.types.Operator):
         return patches
 
 
+def _shapes(value):
+    """The outlines of a region, or the shape alone."""
+    return value.outlines if isinstance(value, sc.Region) else [value]
+
+
 class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
     bl_idname = "splinewright.import_json"
     bl_label = "Import Exact JSON"
@@ -255,8 +260,9 @@ class SPLINEWRIGHT_OT_import_json(_Json, _Import, bpy.types.Operator):
 
     def values(self, text):
         value = sc.loads(text)
-        if not isinstance(value, list):
+        if not isinstance(value, (list, sc.Region)):
             return [value]
+        value = [item for one in (value if isinstance(value, list) else [value]) for item in _shapes(one)]
         curves = [item for item in value if isinstance(item, ANY_CURVES)]
         patches = [item for item in value if not isinstance(item, ANY_CURVES)]
         if not value:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -54,6 +55,10 @@ class Region {
 /// @throws InvalidShape if the regions are not in one plane, or outlines run along each other so that the tolerance does not tell
 ///         what lies between them; and as intersections()
 Region combined(const Region& a, const Region& b, RegionOperation operation, std::optional<double> tolerance = {});
+
+/// The image of a region under an affine map. Its outlines keep their directions; of a mirrored one the normal points the other way.
+/// @throws InvalidShape if the map is not affine, or flattens the region
+Region transformed(const Region& region, const glm::dmat4& matrix);
 
 /// Whether points, seen against the normal, are in a region or on its border.
 std::vector<bool> contains(const Region& region, std::span<const glm::dvec3> points);
