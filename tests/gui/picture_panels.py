@@ -12,7 +12,7 @@ import bpy
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent))
-from window import View, _write_png, empty_file, into_net, part, redrawn, run, save_picture, select_points
+from window import View, write_png, empty_file, into_net, part, redrawn, run, save_picture, select_points
 
 OUTPUT = Path(os.environ['SPLINEWRIGHT_OUTPUT'])
 #: Rows of the screen that a tool's header and the status bar have.
@@ -118,7 +118,7 @@ def panels(view, name):
             yield from redrawn()
             pictures.append(sidebar_of(view, save_picture(OUTPUT / "panel.png")))
     yield from redrawn()
-    _write_png(OUTPUT / f"panels-{name}.png", sheet(pictures))
+    write_png(OUTPUT / f"panels-{name}.png", sheet(pictures))
 
 
 def tools(view, name):
@@ -132,7 +132,7 @@ def tools(view, name):
             yield from redrawn()
         picture = save_picture(OUTPUT / "tool.png")
         rows += [picture[:_HEADER + 26], picture[-_STATUS:]]
-    _write_png(OUTPUT / f"tools-{name}.png", np.concatenate(rows))
+    write_png(OUTPUT / f"tools-{name}.png", np.concatenate(rows))
     with view.override():
         bpy.ops.wm.tool_set_by_id(name='builtin.select_box')
 

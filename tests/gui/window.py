@@ -83,7 +83,7 @@ def save_picture(path):
     """What the screen shows, drawn anew, as a PNG."""
     bpy.ops.wm.redraw_timer(type='DRAW_WIN_SWAP', iterations=1)
     rgb = _screen()
-    _write_png(path, rgb)
+    write_png(path, rgb)
     return rgb
 
 
@@ -98,7 +98,7 @@ def _screen():
     return pixels[..., 2::-1] if order == 0 else pixels[..., 1:4]
 
 
-def _write_png(path, rgb):
+def write_png(path, rgb):
     height, width = rgb.shape[:2]
     rows = np.concatenate([np.zeros((height, 1), np.uint8), rgb.reshape(height, -1)], 1).tobytes()
     header = struct.pack('>2I5B', width, height, 8, 2, 0, 0, 0)
