@@ -28,7 +28,7 @@ std::string trouble_with(const Parameter& parameter, const py::handle& value) {
 std::string trouble_with(const Signature& signature, const py::args& given, std::size_t from, const py::kwargs& named) {
   const auto& parameters = signature.parameters;
   const auto places = static_cast<std::size_t>(std::ranges::count(parameters, false, &Parameter::is_by_name));
-  if (given.size() < from) return "misses self";
+  if (given.size() < from) return "is missing self";
   const std::size_t count = given.size() - from;
   if (count > places && !signature.takes_more) {
     const char* arguments = places == 1 ? " argument by place, " : " arguments by place, ";
@@ -44,7 +44,7 @@ std::string trouble_with(const Signature& signature, const py::args& given, std:
     const bool is_placed = i < std::min(count, places);
     const bool is_named = named.contains(parameter.name.c_str());
     if (is_placed && is_named) return "is given " + parameter.name + " twice";
-    if (!is_placed && !is_named && parameter.preset.empty()) return "misses " + parameter.name;
+    if (!is_placed && !is_named && parameter.preset.empty()) return "is missing " + parameter.name;
     if (!is_placed && !is_named) continue;
     const py::object value = is_placed ? py::object(given[from + i]) : py::object(named[parameter.name.c_str()]);
     const std::string trouble = trouble_with(parameter, value);

@@ -121,7 +121,7 @@ TEST(Volume, RefusesSetsThatAreNotClosedOrTurnedAgainstEachOther) {
             "the side v = start of patches[0] meets no other: the patches enclose no volume");
   const PatchSet turned = set_of({mantle, disc(kCenter, kUp, 2.0), disc(kCenter + 5.0 * kUp, kUp, 2.0)});
   EXPECT_EQ(refusal([&] { volume(turned); }),
-            "beyond the side v = start of patches[0] the normals point to the other side: the volume has no sign");
+            "normals point to the other side beyond the side v = start of patches[0]: flip one of both patches, or orient all of them");
 }
 
 }  // namespace splinecore

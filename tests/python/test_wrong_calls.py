@@ -75,7 +75,7 @@ def test_every_method_says_what_it_takes(owner):
 
 @pytest.mark.parametrize("call, sentence", [
     (lambda: LINE.evaluate(),
-     "BezierCurve.evaluate() misses u; it takes (u, *, side='right', at_infinity='raise', dtype=None, out=None, "
+     "BezierCurve.evaluate() is missing u; it takes (u, *, side='right', at_infinity='raise', dtype=None, out=None, "
      "threads=0, cancel=None)"),
     (lambda: LINE.evaluate(0.5, "left"),
      "BezierCurve.evaluate() takes 1 argument by place, 2 are given; it takes (u, "),
@@ -83,17 +83,17 @@ def test_every_method_says_what_it_takes(owner):
     (lambda: LINE.evaluate(0.5, sides="left"), "BezierCurve.evaluate() has no argument 'sides'; "),
     (lambda: LINE.degree_of(), "'splinecore._splinecore.BezierCurve' object has no attribute 'degree_of'"),
     (lambda: LINE.reversed(1), "BezierCurve.reversed() takes 0 arguments by place, 1 is given; it takes ()"),
-    (lambda: LINE.derivatives(0.5), "BezierCurve.derivatives() misses order; it takes (u, order, *, side="),
-    (lambda: sc.BezierCurve(), "BezierCurve() misses points; it takes (points, weights=None)"),
+    (lambda: LINE.derivatives(0.5), "BezierCurve.derivatives() is missing order; it takes (u, order, *, side="),
+    (lambda: sc.BezierCurve(), "BezierCurve() is missing points; it takes (points, weights=None)"),
     (lambda: sc.NurbsPatch((1, 1), ([0, 0, 1, 1],) * 2),
-     "NurbsPatch() misses points; it takes (degree, knots, points, weights=None, periodic=(False, False))"),
+     "NurbsPatch() is missing points; it takes (degree, knots, points, weights=None, periodic=(False, False))"),
     (lambda: sc.NurbsCurve(1, [0, 0, 1, 1], [(0, 0), (1, 1)], weight=[1, 1]),
      "NurbsCurve() has no argument 'weight'; "),
-    (lambda: sc.BezierCurve.from_homogeneous(), "BezierCurve.from_homogeneous() misses points; it takes (points)"),
+    (lambda: sc.BezierCurve.from_homogeneous(), "BezierCurve.from_homogeneous() is missing points; it takes (points)"),
     (lambda: sc.dumps(LINE, 1), "dumps() takes 1 argument by place, 2 are given; it takes (value)"),
-    (lambda: sc.loads(), "loads() misses text; it takes (text)"),
+    (lambda: sc.loads(), "loads() is missing text; it takes (text)"),
     (lambda: sc.build.join_patches(),
-     "join_patches() misses first; it takes (first, first_side, second, second_side, "),
+     "join_patches() is missing first; it takes (first, first_side, second, second_side, "),
 ])
 def test_the_sentence(call, sentence):
     with pytest.raises((TypeError, AttributeError)) as caught:
@@ -108,7 +108,7 @@ def test_documentation_and_equality_stay():
 
 
 def test_a_method_called_without_an_object_misses_it():
-    with pytest.raises(TypeError, match=r"NurbsCurve.evaluate\(\) misses self"):
+    with pytest.raises(TypeError, match=r"NurbsCurve.evaluate\(\) is missing self"):
         sc.NurbsCurve.evaluate()
 
 

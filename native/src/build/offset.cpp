@@ -170,7 +170,7 @@ void require_plane(const BezierPieces& pieces, const SideStep& step, const NearS
 }  // namespace
 
 std::vector<NurbsCurve> offset_parts(const NurbsCurve& curve, double distance, const OffsetOptions& options) {
-  if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance is zero or not a finite number");
+  if (!std::isfinite(distance) || distance == 0.0) throw InvalidShape("the distance must be finite and not 0");
   const double length = glm::length(options.normal);
   if (!(length > 0.0) || !std::isfinite(length)) throw InvalidShape("the normal is zero or not finite");
   if (options.tolerance && !(*options.tolerance > 0.0)) throw InvalidShape("the tolerance is not above 0");

@@ -41,8 +41,8 @@ void require_closed(const PatchSet& set) {
   for (const Panel& panel : panels) {
     for (int side = 0; side < 4; ++side) {
       if (panel.sides[side].edge < 0 || turns[panel.sides[side].edge] == 0) continue;
-      throw InvalidShape("beyond " + side_name(panel.patch, side) +
-                         " the normals point to the other side: the volume has no sign");
+      throw InvalidShape("normals point to the other side beyond " + side_name(panel.patch, side) +
+                         ": flip one of both patches, or orient all of them");
     }
   }
 }

@@ -186,7 +186,7 @@ void AdaptiveBuilder::add_faces() {
 
 Tessellation Tessellation::adaptive(const PatchSet& set, const Fineness& fineness, int threads) {
   if (!(fineness.distance > 0.0) || !(fineness.angle > 0.0)) {
-    throw InvalidShape("a tolerance of a mesh is not above 0");
+    throw InvalidShape("the tolerance and the angle of a mesh must be above 0");
   }
   if (!(fineness.smallest >= 0.0)) throw InvalidShape("the smallest face of a mesh is below 0");
   MeshParts mesh(set);

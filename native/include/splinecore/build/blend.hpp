@@ -13,12 +13,11 @@ struct BlendEnd {
   bool is_end;  ///< where it ends, or where it begins
 };
 
-/// The Bezier curve from an end of a curve to an end of another one that continues both there: with the point, the
-/// direction, the curvature vector and its derivative by the length for continuity 0, 1, 2, 3; of degree 2 k + 1. Row S7,
-/// S16.
-/// @param strengths  speeds at both ends by the distance between them, above 0: how far it follows each curve
-/// @throws InvalidShape if the continuity is not 0 to 3, a strength is not above 0, the ends are one, or a curve stands
-///         still at its end; PointAtInfinity.
+/// A Bezier curve that joins the ends of two curves with equal points, directions, curvature vectors and their derivatives by arc
+/// length, for continuity 0 to 3 (G0 to G3). Its degree is 2 * continuity + 1. Rows S7, S16.
+/// @param strengths  speeds at both ends as parts of the distance between them, above 0: larger ones follow each curve farther
+/// @throws InvalidShape if the continuity is not 0 to 3, a strength is not above 0, the ends coincide, or the derivative of a curve
+///         is 0 at its end; PointAtInfinity.
 BezierCurve blend(const BlendEnd& from, const BlendEnd& to, int continuity,
                   const std::array<double, 2>& strengths = {1.0, 1.0});
 
