@@ -1,4 +1,4 @@
-"""Choose Function by Click: the mouse over a function of the triangle shows its parents and coefficients, over a span its wedge; a click
+"""Choose Function: the mouse over a function of the triangle shows its parents and coefficients, over a span its wedge; a click
 keeps that, Esc and Ctrl+Z take it back."""
 
 import os

@@ -11,7 +11,7 @@ _PLANE_AT = Parameter("base", "Plane of Curve", "Which W lies in the plane of th
     ("one", "W = 1", "The curve is the image, 0 lies below it"), ("zero", "W = 0", "0 is the origin of the curve: z is W times the height")))
 _START = Parameter("factor_start", "Factor at Start", "All coordinates are multiplied by a linear function, which changes no image", 1.0, 1e-6, 1e6)
 _END = Parameter("factor_end", "Factor at End", "All coordinates are multiplied by a linear function, which changes no image", 1.0, 1e-6, 1e6)
-_FACTOR = Parameter("factor", "Factor a(t)", "A polynomial in the parameter t of the curve, of degree 4 or less, such as 1 + t^2", "1")
+_FACTOR = Parameter("factor", "Polynomial Factor", "A polynomial in the parameter t of the curve, of degree 4 or less, such as 1 + t^2", "1")
 _MARKER = Parameter("marker", "Marker", "Radius of the marks at points; 0 for none", 0.03, 0.0, unit='LENGTH')
 _POLYGONS = Parameter("polygons", "Polygons", "Of both curves", True)
 _PLANE = Parameter("plane", "Plane and Axis", "A grid on the plane W = 1, and the axis of W", True)

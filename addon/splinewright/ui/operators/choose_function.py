@@ -25,7 +25,7 @@ _FUNCTIONS, _SPANS = 'chosen', 'spans'
 
 class SPLINEWRIGHT_OT_choose_function(Pointing, bpy.types.Operator):
     bl_idname = "splinewright.choose_function"
-    bl_label = "Choose Function by Click"
+    bl_label = "Choose Function"
     bl_description = "Point at a function or span of a triangle to see what feeds it; a click keeps it chosen"
     bl_options = {'UNDO'}
 
