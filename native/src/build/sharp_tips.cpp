@@ -41,15 +41,15 @@ NurbsCurve border_of(const SharpTip& tip) {
 }
 
 /// Where the curve meets the border of a tip, by the parameters of both.
-struct Crossing {
+struct TipCrossing {
   double a;
   double b;
   bool is_corner;
 };
 
-std::vector<Crossing> crossings_of(const NurbsCurve& curve, const NurbsCurve& border, const SharpTip& tip, double slack) {
+std::vector<TipCrossing> crossings_of(const NurbsCurve& curve, const NurbsCurve& border, const SharpTip& tip, double slack) {
   const CurveIntersections found = intersections(curve, border);
-  std::vector<Crossing> crossings;
+  std::vector<TipCrossing> crossings;
   const auto add = [&](double a, double b) {
     const glm::dvec3 place = place_at(border, b);
     crossings.push_back({a, b, glm::distance(place, tip.corner) <= slack});
@@ -59,7 +59,7 @@ std::vector<Crossing> crossings_of(const NurbsCurve& curve, const NurbsCurve& bo
     add(overlap.a.start, overlap.is_reversed ? overlap.b.end : overlap.b.start);
     add(overlap.a.end, overlap.is_reversed ? overlap.b.start : overlap.b.end);
   }
-  std::ranges::stable_sort(crossings, {}, &Crossing::a);
+  std::ranges::stable_sort(crossings, {}, &TipCrossing::a);
   return crossings;
 }
 
@@ -80,14 +80,14 @@ std::vector<glm::dvec3> samples_between(const NurbsCurve& curve, double from, do
 /// Parts of a tip behind a curve that goes through it, as seen from its corner.
 std::vector<std::vector<glm::dvec3>> parts_cut_off(const NurbsCurve& curve, const SharpTip& tip, double slack) {
   const NurbsCurve border = border_of(tip);
-  const std::vector<Crossing> crossings = crossings_of(curve, border, tip, slack);
+  const std::vector<TipCrossing> crossings = crossings_of(curve, border, tip, slack);
   const bool is_round = glm::distance(place_at(curve, curve.domain().start), place_at(curve, curve.domain().end)) <= slack;
   std::vector<std::vector<glm::dvec3>> parts;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     const bool is_last = i + 1 == crossings.size();
     if (is_last && (!is_round || crossings.size() < 2)) break;
-    const Crossing& from = crossings[i];
-    const Crossing& to = crossings[is_last ? 0 : i + 1];
+    const TipCrossing& from = crossings[i];
+    const TipCrossing& to = crossings[is_last ? 0 : i + 1];
     std::vector<glm::dvec3> part = samples_between(curve, from.a, to.a);
     if (part.empty() || !(depth_in(tip, part[part.size() / 2]) > slack)) continue;
     // The border begins and ends at the corner: the curve arrives there beside its start and leaves beside its end.
